@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/diagnostic.hpp"
+
+#include <algorithm>
+
+namespace wcam {
+
+const char* toString(Severity severity) noexcept {
+  switch (severity) {
+    case Severity::Information:
+      return "information";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Violation:
+      return "violation";
+  }
+  return "information";
+}
+
+Value toValue(const Diagnostic& diagnostic) {
+  Value result = Value::object({{"severity", toString(diagnostic.severity)},
+                                {"code", diagnostic.code},
+                                {"message", diagnostic.message}});
+  if (!diagnostic.remedy.empty()) {
+    result.set("remedy", diagnostic.remedy);
+  }
+  const Place& place = diagnostic.place;
+  if (place != Place{}) {
+    Value where = Value::object();
+    if (!place.operation.empty()) {
+      where.set("operation", place.operation);
+    }
+    const auto put = [&where](const char* key, int index) {
+      if (index >= 0) {
+        where.set(key, index);
+      }
+    };
+    put("layer", place.layer);
+    put("bead", place.bead);
+    put("point", place.point);
+    result.set("place", where);
+  }
+  if (!diagnostic.data.empty()) {
+    Value data = Value::object();
+    for (const auto& [key, number] : diagnostic.data) {
+      data.set(key, number);
+    }
+    result.set("data", data);
+  }
+  return result;
+}
+
+std::string toLine(const Diagnostic& diagnostic) {
+  std::string line = std::string(toString(diagnostic.severity)) + " " + diagnostic.code;
+  const Place& place = diagnostic.place;
+  if (place != Place{}) {
+    std::string where = place.operation;
+    const auto put = [&where](const char* name, int index) {
+      if (index >= 0) {
+        where += (where.empty() ? "" : " ") + std::string(name) + " " + std::to_string(index);
+      }
+    };
+    put("layer", place.layer);
+    put("bead", place.bead);
+    put("point", place.point);
+    line += " [" + where + "]";
+  }
+  line += ": " + diagnostic.message;
+  if (!diagnostic.remedy.empty()) {
+    line += " (" + diagnostic.remedy + ")";
+  }
+  return line;
+}
+
+Diagnostics& Diagnostics::operator=(const Diagnostics& other) {
+  if (this != &other) {
+    auto copy = other.items();
+    const std::lock_guard lock(mutex_);
+    items_ = std::move(copy);
+  }
+  return *this;
+}
+
+void Diagnostics::add(Diagnostic diagnostic) {
+  const std::lock_guard lock(mutex_);
+  items_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::append(const std::vector<Diagnostic>& items) {
+  const std::lock_guard lock(mutex_);
+  items_.insert(items_.end(), items.begin(), items.end());
+}
+
+std::vector<Diagnostic> Diagnostics::items() const {
+  const std::lock_guard lock(mutex_);
+  return items_;
+}
+
+std::size_t Diagnostics::count(Severity severity) const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::size_t>(std::count_if(
+      items_.begin(), items_.end(), [&](const Diagnostic& d) { return d.severity == severity; }));
+}
+
+std::size_t Diagnostics::count(std::string_view code) const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::size_t>(std::count_if(
+      items_.begin(), items_.end(), [&](const Diagnostic& d) { return d.code == code; }));
+}
+
+}  // namespace wcam

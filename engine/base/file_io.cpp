@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/file_io.hpp"
+
+#include "wcam/base/error.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace wcam {
+
+namespace {
+
+std::string causeOf(int error) {
+  return std::generic_category().message(error);
+}
+
+/// Closes on scope exit.
+class Descriptor {
+public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+
+  ~Descriptor() {
+    if (fd_ >= 0) {
+      ::close(fd_);
+    }
+  }
+
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] int get() const { return fd_; }
+
+private:
+  int fd_;
+};
+
+[[noreturn]] void cannotWrite(const std::filesystem::path& file, int error) {
+  const char* hint = error == ENOSPC   ? "free some space on the disk and try again"
+                     : error == EACCES ? "choose a folder that you may write to"
+                                       : "choose another place";
+  throw Error(ErrorCode::OutputConflict, "cannot be written: " + causeOf(error), pathText(file),
+              hint);
+}
+
+}  // namespace
+
+std::string readFile(const std::filesystem::path& file) {
+  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+
+  struct stat info {};
+
+  if (fd.get() < 0 || ::fstat(fd.get(), &info) != 0) {
+    const int error = errno;
+    throw Error(ErrorCode::InputNotFound,
+                error == ENOENT ? "the file does not exist" : "cannot be read: " + causeOf(error),
+                pathText(file), "check the path and the permissions");
+  }
+  if (S_ISDIR(info.st_mode)) {
+    throw Error(ErrorCode::InputInvalid, "is a folder, not a file", pathText(file));
+  }
+  std::string content;
+  content.resize(static_cast<std::size_t>(info.st_size > 0 ? info.st_size : 0));
+  std::size_t done = 0;
+  // The size is only a hint: pipes have none and files may grow.
+  while (true) {
+    if (done == content.size()) {
+      content.resize(done + 65536);
+    }
+    const ssize_t got = ::read(fd.get(), content.data() + done, content.size() - done);
+    if (got < 0) {
+      throw Error(ErrorCode::InputInvalid, "cannot be read: " + causeOf(errno), pathText(file));
+    }
+    if (got == 0) {
+      content.resize(done);
+      return content;
+    }
+    done += static_cast<std::size_t>(got);
+  }
+}
+
+void writeFileAtomically(const std::filesystem::path& file, std::string_view content) {
+  std::string temporary = file.native() + ".XXXXXX";
+  const int rawFd = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (rawFd < 0) {
+    cannotWrite(file, errno);
+  }
+  int error = 0;
+  {
+    const Descriptor fd(rawFd);
+
+    // A new file gets the usual permissions, a replaced one keeps its own.
+    struct stat old {};
+
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(fd.get(), ::stat(file.c_str(), &old) == 0 ? (old.st_mode & 07777) : (0666 & ~mask));
+    std::size_t done = 0;
+    while (done < content.size()) {
+      const ssize_t put = ::write(fd.get(), content.data() + done, content.size() - done);
+      if (put < 0 && errno != EINTR) {
+        error = errno;
+        break;
+      }
+      done += put > 0 ? static_cast<std::size_t>(put) : 0;
+    }
+    if (error == 0 && ::fsync(fd.get()) != 0) {
+      error = errno;
+    }
+  }
+  if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) {
+    error = errno;
+  }
+  if (error != 0) {
+    ::unlink(temporary.c_str());
+    cannotWrite(file, error);
+  }
+  const std::filesystem::path folder =
+      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  const Descriptor folderFd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folderFd.get() >= 0) {
+    ::fsync(folderFd.get());
+  }
+}
+
+void createFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw Error(ErrorCode::OutputConflict,
+                "the folder cannot be made: " + (error ? error.message() : "a file has this name"),
+                pathText(folder), "choose a folder that you may write to");
+  }
+}
+
+std::string pathText(const std::filesystem::path& path) {
+  return path.native();
+}
+
+std::filesystem::path pathFromText(std::string_view text) {
+  return std::filesystem::path(std::string(text));
+}
+
+}  // namespace wcam

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/json.hpp"
+
+#include "wcam/base/error.hpp"
+#include "wcam/base/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace wcam {
+
+namespace {
+
+constexpr std::size_t kMaxDepth = 200;
+
+/// Builds a Value from the parser's events; no recursion, so that deep nesting cannot exhaust the
+/// stack.
+class Builder : public nlohmann::json_sax<nlohmann::json> {
+public:
+  explicit Builder(std::string context) : context_(std::move(context)) {}
+
+  bool null() override { return put(Value()); }
+
+  bool boolean(bool v) override { return put(Value(v)); }
+
+  bool number_integer(number_integer_t v) override {
+    return put(Value(static_cast<std::int64_t>(v)));
+  }
+
+  bool number_unsigned(number_unsigned_t v) override {
+    if (v > static_cast<number_unsigned_t>(std::numeric_limits<std::int64_t>::max())) {
+      return put(Value(static_cast<double>(v)));
+    }
+    return put(Value(static_cast<std::int64_t>(v)));
+  }
+
+  bool number_float(number_float_t v, const string_t&) override {
+    if (!std::isfinite(v)) {
+      throw Error(ErrorCode::InputInvalid, "a number is too large", context_);
+    }
+    return put(Value(v));
+  }
+
+  bool string(string_t& v) override { return put(Value(std::move(v))); }
+
+  bool binary(binary_t&) override { return false; }
+
+  bool start_object(std::size_t) override { return open(Value::object()); }
+
+  bool start_array(std::size_t) override { return open(Value::array()); }
+
+  bool end_object() override { return close(); }
+
+  bool end_array() override { return close(); }
+
+  bool key(string_t& v) override {
+    if (stack_.back().value.contains(v)) {
+      throw Error(ErrorCode::InputInvalid, "the key '" + v + "' stands twice in one object",
+                  context_);
+    }
+    stack_.back().key = std::move(v);
+    return true;
+  }
+
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& e) override {
+    // nlohmann: "[json.exception.parse_error.101] parse error at line 3, column 4: ..."
+    std::string message = e.what();
+    if (const std::size_t end = message.find("] "); end != std::string::npos) {
+      message.erase(0, end + 2);
+    }
+    throw Error(ErrorCode::InputInvalid, message, context_, "the file must be UTF-8 JSON");
+  }
+
+  Value take() { return std::move(result_); }
+
+private:
+  struct Level {
+    Value value;
+    std::string key;
+  };
+
+  bool open(Value container) {
+    if (stack_.size() >= kMaxDepth) {
+      throw Error(ErrorCode::InputInvalid, "nested deeper than 200 levels", context_);
+    }
+    stack_.push_back({std::move(container), {}});
+    return true;
+  }
+
+  bool close() {
+    Value done = std::move(stack_.back().value);
+    stack_.pop_back();
+    return put(std::move(done));
+  }
+
+  bool put(Value value) {
+    if (stack_.empty()) {
+      result_ = std::move(value);
+    } else if (stack_.back().value.isArray()) {
+      stack_.back().value.push(std::move(value));
+    } else {
+      stack_.back().value.mutableObject().emplace_back(std::move(stack_.back().key),
+                                                       std::move(value));
+    }
+    return true;
+  }
+
+  std::string context_;
+  std::vector<Level> stack_;
+  Value result_;
+};
+
+void writeText(std::string& out, const std::string& text) {
+  // Keeps UTF-8 as it is; throws on invalid UTF-8, which parse cannot produce.
+  out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void writeScalar(std::string& out, const Value& value) {
+  switch (value.type()) {
+    case Value::Type::Null:
+      out += "null";
+      return;
+    case Value::Type::Bool:
+      out += value.asBool() ? "true" : "false";
+      return;
+    case Value::Type::Integer:
+      out += std::to_string(value.asInteger());
+      return;
+    case Value::Type::Real:
+      out += formatReal(value.asReal());
+      return;
+    case Value::Type::String:
+      writeText(out, value.asString());
+      return;
+    case Value::Type::Array:
+    case Value::Type::Object:
+      return;
+  }
+}
+
+bool isScalar(const Value& value) {
+  return !value.isArray() && !value.isObject();
+}
+
+/// @param indent current indentation, or -1 for one line
+void write(std::string& out, const Value& value, int indent) {
+  if (isScalar(value)) {
+    writeScalar(out, value);
+    return;
+  }
+  const bool object = value.isObject();
+  if (value.size() == 0) {
+    out += object ? "{}" : "[]";
+    return;
+  }
+  const bool oneLine = indent < 0 || (!object && std::all_of(value.asArray().begin(),
+                                                             value.asArray().end(), isScalar));
+  const auto newline = [&](int depth) {
+    if (!oneLine) {
+      out += '\n';
+      out.append(static_cast<std::size_t>(depth), ' ');
+    }
+  };
+  out += object ? '{' : '[';
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (i > 0) {
+      out += oneLine ? ", " : ",";
+    }
+    newline(indent + 2);
+    if (object) {
+      writeText(out, value.asObject()[i].first);
+      out += ": ";
+    }
+    write(out, object ? value.asObject()[i].second : value.asArray()[i], oneLine ? -1 : indent + 2);
+  }
+  newline(indent);
+  out += object ? '}' : ']';
+}
+
+}  // namespace
+
+Value parseJson(std::string_view text, const std::string& context) {
+  if (trimText(text).empty()) {
+    throw Error(ErrorCode::InputInvalid, "the file is empty", context,
+                "the file must be UTF-8 JSON");
+  }
+  Builder builder(context);
+  if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) {
+    throw Error(ErrorCode::InputInvalid, "not JSON", context);
+  }
+  return builder.take();
+}
+
+std::string toCanonicalJson(const Value& value) {
+  std::string out;
+  write(out, value, 0);
+  out += '\n';
+  return out;
+}
+
+std::string toCompactJson(const Value& value) {
+  std::string out;
+  write(out, value, -1);
+  return out;
+}
+
+std::string formatReal(double number) {
+  if (!std::isfinite(number)) {
+    throw Error(ErrorCode::Internal, "a number that is not finite cannot be written");
+  }
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, number);
+  std::string text(buffer, end);
+  if (text.find_first_of(".e") == std::string::npos) {
+    text += ".0";
+  }
+  return text;
+}
+
+}  // namespace wcam

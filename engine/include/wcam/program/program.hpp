@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/cell/joints.hpp"
+#include "wcam/geometry/types.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The robot-neutral program (DESIGN 9): a small closed set of instructions, each knowing where it
+/// comes from. A post-processor is a pure printer of it. Units: mm, rad, s, mm/s.
+namespace wcam::program {
+
+using cell::JointVector;
+using geometry::Pose;
+
+/// Layer, bead and point an instruction comes from; −1 where none.
+struct Origin {
+  int layer = -1;
+  int bead = -1;
+  int point = -1;
+};
+
+/// A robot position in all the forms that a robot language may want.
+struct Target {
+  JointVector joints;                   ///< controller values: robot joints, then positioner joints
+  Pose T_base_tcp = Pose::Identity();   ///< in the robot base frame
+  Pose T_table_tcp = Pose::Identity();  ///< in the positioner's table frame (torch carried), else
+                                        ///< in the base frame
+};
+
+struct MoveJoint {
+  Target target;
+  double speedRatio = 0.1;  ///< part of the maximal joint speed, 0..1
+  bool stop = true;         ///< stop exactly here (FINE), or pass (CNT, approximation)
+};
+
+struct MoveLinear {
+  Target target;
+  double speed = 0.0;  ///< TCP speed relative to the part, mm/s
+  bool stop = false;
+};
+
+struct MoveCircular {
+  Target via;
+  Target target;
+  double speed = 0.0;
+  bool stop = false;
+};
+
+struct ArcOn {
+  int job = 1;  ///< job number of the welding source
+};
+
+struct ArcOff {
+  double craterTime = 0.0;  ///< s of crater fill
+};
+
+struct SetProcess {
+  double wireSpeed = 0.0;  ///< mm/s
+};
+
+struct Wait {
+  double seconds = 0.0;
+};
+
+struct SetIo {
+  int output = 0;
+  bool on = false;
+};
+
+struct Comment {
+  std::string text;
+};
+
+struct LayerBegin {
+  int layer = 0;
+};
+
+struct LayerEnd {
+  int layer = 0;
+};
+
+struct BeadBegin {
+  int layer = 0;
+  int bead = 0;
+};
+
+struct BeadEnd {
+  int layer = 0;
+  int bead = 0;
+};
+
+using Action = std::variant<MoveJoint,
+                            MoveLinear,
+                            MoveCircular,
+                            ArcOn,
+                            ArcOff,
+                            SetProcess,
+                            Wait,
+                            SetIo,
+                            Comment,
+                            LayerBegin,
+                            LayerEnd,
+                            BeadBegin,
+                            BeadEnd>;
+
+struct Instruction {
+  Action action;
+  Origin origin;
+};
+
+/// What a printer must know of the cell.
+struct CellFacts {
+  std::string cellName;
+  int robotJoints = 6;
+  int positionerJoints = 0;
+  bool partCarried = false;
+  std::vector<std::string> jointNames;
+  std::vector<bool> linearJoint;  ///< per joint: mm instead of rad
+  Pose T_flange_tcp = Pose::Identity();
+  Pose T_base_positioner = Pose::Identity();
+  /// Robot configuration at the first move, per FANUC ("NUT": no-flip/flip, up/down, toward/back).
+  std::string configuration = "NUT";
+};
+
+struct Program {
+  std::string name;  ///< operation id
+  std::string projectName;
+  CellFacts cell;
+  std::vector<Instruction> instructions;
+};
+
+}  // namespace wcam::program

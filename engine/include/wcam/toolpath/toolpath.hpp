@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/geometry/types.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace wcam::toolpath {
+
+using geometry::Vec3;
+
+/// A point of a bead, in the part frame. (t, n, b) is right-handed: t along travel, n the outward
+/// surface normal made perpendicular to t, b = t × n the build direction.
+struct PathPoint {
+  Vec3 p = Vec3::Zero();  ///< mm
+  Vec3 t = Vec3::UnitX();
+  Vec3 n = Vec3::UnitY();
+  Vec3 b = Vec3::UnitZ();
+  Vec3 axis =
+      Vec3::UnitZ();  ///< tool axis, from the part towards the torch, with lead and lateral tilt
+  Vec3 up =
+      Vec3::UnitZ();       ///< axis before lead and tilt: what the positioner turns to the vertical
+  double distance = 0.0;   ///< inter-layer distance δ to the layer below, mm (Chalvin A4)
+  double height = 0.0;     ///< local layer height, mm
+  double width = 0.0;      ///< bead width, mm
+  double speed = 0.0;      ///< travel speed of the move that ends here, mm/s
+  double wireSpeed = 0.0;  ///< wire feed speed of the move that ends here, mm/s
+};
+
+/// One run of the torch with the arc on. A closed bead repeats its first point as its last one.
+struct Bead {
+  std::vector<PathPoint> points;
+  bool closed = false;
+  int part = 0;  ///< index of the part in the operation
+  [[nodiscard]] double length() const;
+};
+
+struct Layer {
+  double level = 0.0;       ///< value of the field: mm along the build direction or along the guide
+  Vec3 up = Vec3::UnitZ();  ///< mean build direction of the layer
+  std::vector<Bead> beads;
+};
+
+/// What an operation deposits, in order.
+struct Toolpath {
+  std::vector<Layer> layers;
+  [[nodiscard]] std::size_t beadCount() const;
+  [[nodiscard]] std::size_t pointCount() const;
+};
+
+}  // namespace wcam::toolpath

@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: 2026 The WCAM developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Third-party packages, all from Debian 12. packaging/quickstart installs them.
+
+find_package(Eigen3 3.4 CONFIG REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(CLI11 REQUIRED)
+find_package(assimp REQUIRED)
+find_package(OpenCASCADE REQUIRED)
+find_package(CGAL REQUIRED)
+find_library(WCAM_MUPARSER muparser REQUIRED)
+
+# OpenCASCADE's targets carry no include directory.
+add_library(wcam_occt INTERFACE)
+target_include_directories(wcam_occt SYSTEM INTERFACE "${OpenCASCADE_INCLUDE_DIR}")
