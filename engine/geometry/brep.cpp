@@ -132,8 +132,8 @@ std::unique_ptr<Brep::Impl> makeBrepImpl(const TopoDS_Shape& shape) {
   auto impl = std::make_unique<Brep::Impl>();
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  for (const TopoDS_Shape& face : faces) {
-    impl->faces.push_back(TopoDS::Face(face));
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    impl->faces.push_back(TopoDS::Face(faces.FindKey(i)));
     impl->faceInfos.push_back(faceInfo(impl->faces.back()));
   }
   TopTools_IndexedDataMapOfShapeListOfShape edges;
