@@ -57,8 +57,8 @@ std::vector<CurveFrame> rotationMinimisingFrames(const GuideCurve& curve,
 
 /// Length between two parameters, mm, relative error about 1e-10.
 double arcLength(const GuideCurve& curve, double from, double to);
-/// Parameters t_0 = begin, t_1, … with chords |g(t_{k+1}) − g(t_k)| = step (Chalvin A8), while t ≤
+/// Parameters t_0 = from, t_1, … with chords |g(t_{k+1}) − g(t_k)| = step (Chalvin A8), while t ≤
 /// end.
-std::vector<double> chordSteps(const GuideCurve& curve, double step);
+std::vector<double> chordSteps(const GuideCurve& curve, double step, double from);
 
 }  // namespace wcam::geometry

@@ -22,9 +22,9 @@ struct ContourPoint {
   Vec3 n = Vec3::UnitX();
 };
 
-/// A sampled level curve. A closed one does not repeat its first point. Direction: the outward
-/// normal is on the right of the direction of travel seen from the growing side (up × t points to
-/// the material).
+/// A sampled level curve. A closed one does not repeat its first point. Direction: travel t with t
+/// × n = up made tangent to the surface (n outward): outer contours run clockwise seen against the
+/// build direction.
 struct Contour {
   bool closed = false;
   int part = 0;

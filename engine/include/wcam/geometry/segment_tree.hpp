@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/geometry/types.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace wcam::geometry {
+
+double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
+
+/// Nearest-segment queries over polylines: distances to the layer below. Flat balanced box tree;
+/// building costs O(n log n), a query about O(log n). const queries are thread-safe.
+class SegmentTree {
+public:
+  /// Adds the segments of a polyline; a single point counts as a segment of length zero.
+  void add(const std::vector<Vec3>& polyline, bool closed);
+  /// Must be called once after the last add().
+  void build();
+
+  [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
+
+  /// Distance to the nearest segment (feet inside, or its ends), infinity when there is none.
+  [[nodiscard]] double distance(const Vec3& p) const;
+
+private:
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    std::uint32_t right = 0;  ///< right child; the left one follows its parent. 0 for a leaf
+  };
+
+  std::uint32_t buildNode(std::uint32_t begin, std::uint32_t end);
+
+  std::vector<std::array<Vec3, 2>> segments_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace wcam::geometry

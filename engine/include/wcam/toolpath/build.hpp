@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/context.hpp"
+#include "wcam/base/param.hpp"
+#include "wcam/toolpath/slicing.hpp"
+#include "wcam/toolpath/substrate.hpp"
+#include "wcam/toolpath/toolpath.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace wcam::toolpath {
+
+enum class SeamMode {
+  Nearest,      ///< start where the previous bead ended
+  Aligned,      ///< starts lie in one direction from the layer's centre
+  Shifted,      ///< each layer's start moves on by a length
+  GoldenRatio,  ///< each layer's start moves on by 0.618 of the contour
+  Random        ///< anywhere, from a seed
+};
+
+enum class AxisMode {
+  Local,  ///< the build direction b of each point (tangent to the part's wall)
+  Layer,  ///< the layer's build direction (plane normal)
+  Global  ///< the substrate's build direction everywhere
+};
+
+/// How contours become beads. Sampling is used by the strategy, the rest afterwards: changing a
+/// seam does not slice again.
+struct PathParams {
+  Length chordError = 0.01_mm;
+  Length maxSpacing = 4.9_mm;
+  SeamMode seam = SeamMode::Nearest;
+  Length seamShift = 10.0_mm;
+  Angle seamDirection = 0.0_deg;
+  int seed = 1;
+  bool alternate = false;
+  AxisMode axis = AxisMode::Layer;
+  Angle lead = 0.0_deg;
+  Angle lateralTilt = 0.0_deg;
+
+  static const Schema<PathParams>& schema();
+
+  [[nodiscard]] Sampling sampling() const { return {chordError.value(), maxSpacing.value()}; }
+};
+
+/// Orders the contours of each layer, chooses seams and directions, and gives every point its frame
+/// (t, n, b), its inter-layer distance and its tool axis. The distance of the first layer is its
+/// height above the substrate.
+Toolpath buildToolpath(const SlicedLayers& sliced,
+                       const Substrate& substrate,
+                       const PathParams& params,
+                       const JobContext& context);
+
+}  // namespace wcam::toolpath

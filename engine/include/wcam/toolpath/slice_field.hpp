@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/context.hpp"
+#include "wcam/geometry/part_surface.hpp"
+#include "wcam/toolpath/slicing.hpp"
+#include "wcam/toolpath/substrate.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace wcam::toolpath {
+
+/// The scalar field whose level sets are the layers (DESIGN 3). A strategy is such a field plus its
+/// levels. All members are const and thread-safe.
+class LayerField {
+public:
+  virtual ~LayerField();
+  /// Field value at a point of the part; NaN where the field is not defined.
+  [[nodiscard]] virtual double scalar(const Vec3& p) const = 0;
+  /// Signed residual of level k, mm: zero on the layer, growing in the build direction. For planes
+  /// the distance.
+  [[nodiscard]] virtual double residual(const Vec3& p, std::size_t level) const = 0;
+  /// Gradient of the residual.
+  [[nodiscard]] virtual Vec3 gradient(const Vec3& p, std::size_t level) const = 0;
+  /// Largest jump of scalar() between the ends of a mesh edge of this length, beyond which the
+  /// field is torn there and the triangle carries no curve; infinity for a continuous field.
+  [[nodiscard]] virtual double largestJump(double edgeLength) const;
+};
+
+/// One wanted layer.
+struct LayerLevel {
+  double value = 0.0;          ///< of the field; ascending from layer to layer
+  Vec3 up = Vec3::UnitZ();     ///< build direction of the layer
+  double nominalHeight = 0.0;  ///< mm
+};
+
+/// Traces the layers of a field on the parts: level sets on the mesh, moved onto the exact surface
+/// where there is one (Newton in (u,v), on CAD edges along the edge), cut where they lie below the
+/// substrate, sampled by chord error and spacing together with corners kept.
+///
+/// Findings: slicing.refinement_failed (a node kept its mesh position), slicing.degenerate_contour
+/// (a contour that is a point was dropped), slicing.empty_layer, slicing.below_substrate.
+/// @throws Error(JobFailed) when no layer meets the part.
+/// Cost: one field value per vertex, O(nodes) tracing, a few surface evaluations per point;
+/// parallel over levels.
+SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+                          const LayerField& field,
+                          const std::vector<LayerLevel>& levels,
+                          const Substrate& substrate,
+                          const Sampling& sampling,
+                          const JobContext& context);
+
+/// Number of chords on a full circle so that no sagitta exceeds the chord error: ceil(π / acos(1 −
+/// e/ρ)) (Chalvin A3); `rounded` gives the thesis' own count, whose sagitta may exceed e.
+int chordCount(double radius, double chordError, bool rounded = false);
+
+}  // namespace wcam::toolpath

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "wcam/geometry/brep.hpp"
+#include "wcam/geometry/level_set.hpp"
+#include "wcam/geometry/part_surface.hpp"
+#include "wcam/toolpath/slice_field.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace wcam::toolpath {
+
+/// The piece of a level curve inside one triangle, with exact ends.
+struct CurveSegment {
+  std::uint32_t triangle = 0;
+  geometry::Vec2 uvA = geometry::Vec2::Zero();
+  geometry::Vec2 uvB = geometry::Vec2::Zero();
+  ContourPoint a, b;
+};
+
+/// A level curve on a part, exact where the part is: evaluates any point between the nodes of the
+/// mesh contour.
+class LevelCurve {
+public:
+  LevelCurve(const geometry::PartSurface& part,
+             geometry::BrepEvaluator* evaluator,
+             const LayerField& field,
+             std::size_t level);
+
+  /// Moves the nodes of a mesh contour onto the exact surface and level.
+  /// @return the number of nodes that kept their mesh position
+  std::size_t assign(const geometry::LevelContour& contour);
+
+  [[nodiscard]] bool closed() const noexcept { return closed_; }
+
+  [[nodiscard]] bool exact() const noexcept { return evaluator_ != nullptr; }
+
+  [[nodiscard]] const std::vector<CurveSegment>& segments() const noexcept { return segments_; }
+
+  [[nodiscard]] double length() const;
+  /// Point at fraction w in [0,1] of a segment.
+  [[nodiscard]] ContourPoint at(std::size_t segment, double w) const;
+  /// Travel direction at the start (w = 0) or the end (w = 1) of a segment.
+  [[nodiscard]] Vec3 tangent(std::size_t segment, double w) const;
+
+  /// Splits the curve where heightAbove is negative; the cuts are exact. Empty when all of it is
+  /// below.
+  [[nodiscard]] std::vector<LevelCurve> keepAbove(const Substrate& substrate,
+                                                  double tolerance) const;
+
+private:
+  [[nodiscard]] Vec3 meshNormal(std::uint32_t triangle) const;
+  [[nodiscard]] std::optional<geometry::Vec2> newtonToLevel(std::int32_t face,
+                                                            geometry::Vec2 uv,
+                                                            double reach) const;
+  [[nodiscard]] geometry::Vec2 projectToSurface(std::int32_t face,
+                                                geometry::Vec2 uv,
+                                                const Vec3& p) const;
+  [[nodiscard]] std::optional<Vec3> solveOnEdge(std::int32_t edge,
+                                                double t0,
+                                                double t1,
+                                                double t) const;
+  [[nodiscard]] std::optional<Vec3> refinedNode(std::uint32_t halfEdge, double fraction) const;
+  [[nodiscard]] geometry::Vec2 cornerUv(std::uint32_t triangle,
+                                        std::uint32_t halfEdge,
+                                        double fraction) const;
+  void addSegment(const geometry::LevelContour& contour,
+                  const std::vector<Vec3>& nodes,
+                  std::size_t from,
+                  std::size_t to);
+  void smoothMeshNormals();
+
+  const geometry::PartSurface* part_;
+  geometry::BrepEvaluator* evaluator_;  ///< null for mesh parts
+  const LayerField* field_;
+  std::size_t level_;
+  double residualTolerance_;
+  bool closed_ = false;
+  std::vector<CurveSegment> segments_;
+};
+
+/// Samples a curve so that chord error and spacing keep their bounds and corners stay points
+/// (Chalvin A3).
+std::vector<ContourPoint> sampleCurve(const LevelCurve& curve, const Sampling& sampling);
+
+}  // namespace wcam::toolpath

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/toolpath/slice_field.hpp"
+
+#include "wcam/base/error.hpp"
+#include "wcam/base/parallel.hpp"
+#include "wcam/base/text.hpp"
+
+#include "level_curve.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace wcam::toolpath {
+
+LayerField::~LayerField() = default;
+
+double LayerField::largestJump(double) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+namespace {
+
+constexpr std::size_t kVertexGrain = 4096;
+constexpr std::size_t kLevelGrain = 4;
+/// Rounding of a field value, in parts of the part's size.
+constexpr double kFieldSnap = 1e-11;
+/// A contour shorter than this part of the part's size is a point: a pole or a tangent plane.
+constexpr double kPointContour = 1e-6;
+/// Below the substrate by more than this part of the part's size counts as below.
+constexpr double kOnSubstrate = 1e-7;
+
+/// Field value per vertex; vertices of torn triangles become NaN only when the field may tear.
+std::vector<double> fieldOf(const geometry::PartSurface& part,
+                            const LayerField& field,
+                            const JobContext& context) {
+  std::vector<double> scalar(part.mesh.vertices.size());
+  parallelFor(
+      scalar.size(), kVertexGrain,
+      [&](std::size_t v) { scalar[v] = field.scalar(part.mesh.vertices[v]); }, context);
+  return scalar;
+}
+
+/// The mesh without the triangles over which the field jumps; nothing when there are none.
+std::optional<geometry::PartSurface> withoutTears(const geometry::PartSurface& part,
+                                                  const LayerField& field,
+                                                  const std::vector<double>& scalar) {
+  std::vector<std::uint32_t> kept;
+  const auto& triangles = part.mesh.triangles;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    bool torn = false;
+    for (std::size_t c = 0; c < 3 && !torn; ++c) {
+      const std::uint32_t a = triangles[t][c];
+      const std::uint32_t b = triangles[t][(c + 1) % 3];
+      const double length = (part.mesh.vertices[b] - part.mesh.vertices[a]).norm();
+      torn = std::abs(scalar[a] - scalar[b]) > field.largestJump(length);
+    }
+    if (!torn) {
+      kept.push_back(t);
+    }
+  }
+  if (kept.size() == triangles.size()) {
+    return std::nullopt;
+  }
+  geometry::PartSurface cut;
+  cut.mesh.vertices = part.mesh.vertices;
+  cut.brep = part.brep;
+  for (const std::uint32_t t : kept) {
+    cut.mesh.triangles.push_back(triangles[t]);
+    if (part.exact()) {
+      cut.binding.face.push_back(part.binding.face[t]);
+      cut.binding.uv.push_back(part.binding.uv[t]);
+      for (std::size_t h = 3 * std::size_t{t}; h < 3 * std::size_t{t} + 3; ++h) {
+        cut.binding.edge.push_back(part.binding.edge[h]);
+        cut.binding.edgeParam.push_back(part.binding.edgeParam[h]);
+      }
+    }
+  }
+  cut.halfEdges = geometry::HalfEdges(cut.mesh);
+  return cut;
+}
+
+struct LevelResult {
+  std::vector<Contour> contours;
+  std::vector<Diagnostic> findings;
+  std::size_t unrefined = 0;
+  bool anyBelow = false;
+};
+
+void traceOneLevel(const geometry::PartSurface& part,
+                   int partIndex,
+                   const std::vector<geometry::LevelContour>& contours,
+                   const LayerField& field,
+                   std::size_t level,
+                   double levelValue,
+                   const Substrate& substrate,
+                   const Sampling& sampling,
+                   LevelResult& result) {
+  std::optional<geometry::BrepEvaluator> evaluator;
+  if (part.exact()) {
+    evaluator.emplace(*part.brep);
+  }
+  const double size = part.mesh.bounds().diagonal();
+  for (const geometry::LevelContour& contour : contours) {
+    LevelCurve curve(part, evaluator ? &*evaluator : nullptr, field, level);
+    result.unrefined += curve.assign(contour);
+    if (curve.length() <= kPointContour * size) {
+      const Vec3 p = contour.points.front();
+      result.findings.push_back(
+          {Severity::Information,
+           "slicing.degenerate_contour",
+           "a contour of the layer is a single point and was dropped",
+           "end the operation one layer earlier if this is not wanted",
+           {},
+           {{"level", levelValue}, {"x_mm", p.x()}, {"y_mm", p.y()}, {"z_mm", p.z()}}});
+      continue;
+    }
+    std::vector<LevelCurve> kept = curve.keepAbove(substrate, kOnSubstrate * std::max(size, 1.0));
+    result.anyBelow = result.anyBelow || kept.size() != 1 || kept[0].closed() != curve.closed();
+    for (const LevelCurve& piece : kept) {
+      if (piece.length() > kPointContour * size) {
+        result.contours.push_back({piece.closed(), partIndex, sampleCurve(piece, sampling)});
+      }
+    }
+  }
+}
+
+/// @param layer index of the layer in the result
+void report(const LevelResult& result, int layer, const JobContext& context) {
+  if (result.unrefined > 0) {
+    context.add({Severity::Warning,
+                 "slicing.refinement_failed",
+                 std::to_string(result.unrefined) +
+                     " nodes of the layer could not be moved onto the exact surface and keep their "
+                     "place on the tessellation",
+                 "lower the tessellation's chord tolerance, or move the layers off tangent faces",
+                 {{}, layer, -1, -1},
+                 {{"nodes", static_cast<double>(result.unrefined)}}});
+  }
+  if (result.anyBelow) {
+    context.add({Severity::Information,
+                 "slicing.below_substrate",
+                 "parts of the layer lie below the substrate and were cut away",
+                 "move the part or the substrate if this is not wanted",
+                 {{}, layer, -1, -1},
+                 {}});
+  }
+}
+
+}  // namespace
+
+SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+                          const LayerField& field,
+                          const std::vector<LayerLevel>& levels,
+                          const Substrate& substrate,
+                          const Sampling& sampling,
+                          const JobContext& context) {
+  std::vector<double> values;
+  for (const LayerLevel& level : levels) {
+    values.push_back(level.value);
+  }
+  std::vector<LevelResult> results(levels.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double begin = static_cast<double>(k) / static_cast<double>(parts.size());
+    const JobContext portion = context.portion(
+        begin, static_cast<double>(k + 1) / static_cast<double>(parts.size()), "slicing");
+    const std::vector<double> scalar = fieldOf(*parts[k], field, portion);
+    const auto cut = withoutTears(*parts[k], field, scalar);
+    const geometry::PartSurface& part = cut ? *cut : *parts[k];
+    const auto curves =
+        geometry::traceLevels(part.mesh, part.halfEdges, scalar, values,
+                              kFieldSnap * std::max(1.0, part.mesh.bounds().diagonal()), portion);
+    portion.report(0.3);
+    std::atomic<std::size_t> done{0};
+    parallelForChunks(
+        levels.size(), kLevelGrain,
+        [&](std::size_t from, std::size_t to) {
+          for (std::size_t l = from; l < to; ++l) {
+            portion.check();
+            traceOneLevel(part, static_cast<int>(k), curves[l], field, l, levels[l].value,
+                          substrate, sampling, results[l]);
+          }
+          portion.report(0.3 + 0.7 * static_cast<double>(done += to - from) /
+                                   static_cast<double>(levels.size()));
+        },
+        portion);
+  }
+  SlicedLayers sliced;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    context.diagnostics().append(results[l].findings);
+    if (results[l].contours.empty()) {
+      context.add({Severity::Information,
+                   "slicing.empty_layer",
+                   "the layer at " + formatFixed(levels[l].value, 3) + " meets no part",
+                   "",
+                   {},
+                   {{"level", levels[l].value}}});
+      continue;
+    }
+    report(results[l], static_cast<int>(sliced.layers.size()), context);
+    sliced.layers.push_back(
+        {levels[l].value, levels[l].up, levels[l].nominalHeight, std::move(results[l].contours)});
+  }
+  if (sliced.layers.empty()) {
+    throw Error(
+        ErrorCode::JobFailed, "no layer meets the part", "slicing",
+        "check the part's place above the substrate, the build direction and the layer step");
+  }
+  context.report(1.0);
+  return sliced;
+}
+
+}  // namespace wcam::toolpath
