@@ -31,9 +31,9 @@ struct ParamChoice {
 /// What the author of a component writes about one parameter. Limits are in file units (mm,
 /// degrees, ...).
 struct ParamInfo {
-  std::string key;  ///< stable, snake_case
-  std::string label;
-  std::string help;
+  std::string key = {};  ///< stable, snake_case
+  std::string label = {};
+  std::string help = {};
   std::string group = "General";
   ParamLevel level = ParamLevel::Basic;
   double min = -std::numeric_limits<double>::infinity();

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/context.hpp"
+#include "wcam/base/param.hpp"
+#include "wcam/toolpath/toolpath.hpp"
+
+namespace wcam::process {
+
+/// Wire, feed and windows of a wire-arc process with constant wire feed.
+struct ProcessParams {
+  Length wireDiameter = 1.2_mm;
+  WireSpeed wireSpeed = 6.0_m_min;
+  Length beadWidth = 8.0_mm;
+  Speed speedMin = 1.5_mm_s;
+  Speed speedMax = 20.0_mm_s;
+  Length heightMin = 1.0_mm;
+  Length heightMax = 7.0_mm;
+  double density = 7.85;  ///< g/cm³
+  int job = 1;
+  Duration craterTime = 0.5_s;
+
+  static const Schema<ProcessParams>& schema();
+};
+
+/// Section of one layer of a wall of stacked discs of diameter `width`, pitch `height`:
+/// S = h·√(R² − h²/4) + 2R²·asin(h/2R), R = width/2, mm² (Diourté M27). Defined for 0 ≤ height ≤
+/// width; larger heights give the section at height = width, where the discs only touch.
+double wallSection(double height, double width) noexcept;
+
+/// Travel speed that deposits the section of a height: v = (π d²/4)·v_wire / S(h), mm/s (Diourté
+/// M26).
+double travelSpeed(double height, const ProcessParams& params) noexcept;
+
+/// Height that a travel speed deposits, the inverse of travelSpeed, mm; limited to the bead width.
+double depositedHeight(double speed, const ProcessParams& params) noexcept;
+
+struct ProcessStatistics {
+  double length = 0.0;        ///< of the beads, mm
+  double time = 0.0;          ///< with the arc on, s
+  double wireLength = 0.0;    ///< mm
+  double wireVolume = 0.0;    ///< mm³: what the torch deposits
+  double wantedVolume = 0.0;  ///< mm³: section of the local height times length
+  double mass = 0.0;          ///< g
+  std::size_t clampedPoints = 0;
+};
+
+ProcessStatistics processStatistics(const toolpath::Toolpath& path, const ProcessParams& params);
+
+/// Sets width, wire speed and travel speed of every point: the speed of the move that ends at a
+/// point follows its height, clamped to the speed window.
+///
+/// Findings, one per layer with the worst value and the count: process.speed_clamped,
+/// process.height_out_of_range.
+/// @throws Error(InvalidArgument) when the windows contradict each other
+toolpath::Toolpath applyProcess(toolpath::Toolpath path,
+                                const ProcessParams& params,
+                                const JobContext& context);
+
+}  // namespace wcam::process

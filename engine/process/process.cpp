@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/process/process.hpp"
+
+#include "wcam/base/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wcam::process {
+
+namespace {
+
+double wireArea(const ProcessParams& params) noexcept {
+  return kPi / 4.0 * params.wireDiameter.value() * params.wireDiameter.value();
+}
+
+/// Matter fed, mm³/s.
+double feedRate(const ProcessParams& params) noexcept {
+  return wireArea(params) * params.wireSpeed.value();
+}
+
+void checkWindows(const ProcessParams& params) {
+  if (params.speedMin > params.speedMax) {
+    throw Error(ErrorCode::InvalidArgument, "the smallest travel speed is above the greatest",
+                "process", "exchange speed_min and speed_max");
+  }
+  if (params.heightMin > params.heightMax) {
+    throw Error(ErrorCode::InvalidArgument, "the smallest layer height is above the greatest",
+                "process", "exchange height_min and height_max");
+  }
+}
+
+/// Worst value outside a window, with the count; reported once per layer.
+struct Outside {
+  std::size_t count = 0;
+  double worst = 0.0;
+  int bead = -1;
+  int point = -1;
+
+  void add(double value, double low, double high, std::size_t beadIndex, std::size_t pointIndex) {
+    const double excess = std::max(low - value, value - high);
+    if (excess <= 0.0) {
+      return;
+    }
+    ++count;
+    if (bead < 0 || excess > std::max(low - worst, worst - high)) {
+      worst = value;
+      bead = static_cast<int>(beadIndex);
+      point = static_cast<int>(pointIndex);
+    }
+  }
+};
+
+}  // namespace
+
+const Schema<ProcessParams>& ProcessParams::schema() {
+  static const Schema<ProcessParams> schema =
+      Schema<ProcessParams>{}
+          .add(&ProcessParams::wireDiameter, {.key = "wire_diameter",
+                                              .label = "Wire diameter",
+                                              .group = "Wire",
+                                              .min = 0.1,
+                                              .max = 10.0})
+          .add(&ProcessParams::wireSpeed, {.key = "wire_speed",
+                                           .label = "Wire feed speed",
+                                           .help = "Constant over the whole operation.",
+                                           .group = "Wire",
+                                           .min = 0.05,
+                                           .max = 60.0})
+          .add(&ProcessParams::beadWidth, {.key = "bead_width",
+                                           .label = "Bead width",
+                                           .help = "Stabilised width of a wall of one bead.",
+                                           .group = "Bead",
+                                           .min = 0.1,
+                                           .max = 100.0})
+          .add(&ProcessParams::speedMin, {.key = "speed_min",
+                                          .label = "Smallest travel speed",
+                                          .group = "Window",
+                                          .min = 0.01,
+                                          .max = 1000.0})
+          .add(&ProcessParams::speedMax, {.key = "speed_max",
+                                          .label = "Greatest travel speed",
+                                          .help = "Above, the bead humps.",
+                                          .group = "Window",
+                                          .min = 0.01,
+                                          .max = 1000.0})
+          .add(&ProcessParams::heightMin, {.key = "height_min",
+                                           .label = "Smallest layer height",
+                                           .group = "Window",
+                                           .min = 0.0,
+                                           .max = 100.0})
+          .add(&ProcessParams::heightMax, {.key = "height_max",
+                                           .label = "Greatest layer height",
+                                           .group = "Window",
+                                           .min = 0.0,
+                                           .max = 100.0})
+          .add(&ProcessParams::density,
+               {.key = "density",
+                .label = "Density of the wire",
+                .group = "Wire",
+                .min = 0.1,
+                .max = 25.0},
+               ParamType::Real, QuantityKind::Density)
+          .add(&ProcessParams::job, {.key = "job",
+                                     .label = "Job number of the welding source",
+                                     .group = "Source",
+                                     .min = 0,
+                                     .max = 999})
+          .add(&ProcessParams::craterTime, {.key = "crater_time",
+                                            .label = "Crater fill time",
+                                            .group = "Source",
+                                            .min = 0.0,
+                                            .max = 60.0});
+  return schema;
+}
+
+double wallSection(double height, double width) noexcept {
+  const double r = 0.5 * width;
+  const double h = std::clamp(height, 0.0, width);
+  return h * std::sqrt(std::max(0.0, r * r - 0.25 * h * h)) +
+         2.0 * r * r * std::asin(std::min(1.0, h / (2.0 * r)));
+}
+
+double travelSpeed(double height, const ProcessParams& params) noexcept {
+  // The section of a vanishing height is 0: the speed window bounds what follows.
+  const double section = std::max(wallSection(height, params.beadWidth.value()), 1e-12);
+  return feedRate(params) / section;
+}
+
+double depositedHeight(double speed, const ProcessParams& params) noexcept {
+  const double width = params.beadWidth.value();
+  const double section = feedRate(params) / std::max(speed, 1e-12);
+  double low = 0.0;
+  double high = width;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (wallSection(middle, width) < section ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+toolpath::Toolpath applyProcess(toolpath::Toolpath path,
+                                const ProcessParams& params,
+                                const JobContext& context) {
+  checkWindows(params);
+  const double heightMax = std::min(params.heightMax.value(), params.beadWidth.value());
+  for (std::size_t l = 0; l < path.layers.size(); ++l) {
+    context.check();
+    Outside speeds;
+    Outside heights;
+    auto& beads = path.layers[l].beads;
+    for (std::size_t b = 0; b < beads.size(); ++b) {
+      for (std::size_t i = 0; i < beads[b].points.size(); ++i) {
+        toolpath::PathPoint& point = beads[b].points[i];
+        const double wanted = travelSpeed(point.height, params);
+        point.width = params.beadWidth.value();
+        point.wireSpeed = params.wireSpeed.value();
+        point.speed = std::clamp(wanted, params.speedMin.value(), params.speedMax.value());
+        speeds.add(wanted, params.speedMin.value(), params.speedMax.value(), b, i);
+        heights.add(point.height, params.heightMin.value(), heightMax, b, i);
+      }
+    }
+    const auto layer = static_cast<int>(l);
+    if (heights.count > 0) {
+      context.add(
+          {Severity::Warning,
+           "process.height_out_of_range",
+           std::to_string(heights.count) +
+               " points have a layer height outside the process window, worst " +
+               formatFixed(heights.worst, 3) + " mm",
+           "change the layer step or the strategy so that the distance between layers stays "
+           "between " +
+               formatFixed(params.heightMin.value(), 2) + " and " + formatFixed(heightMax, 2) +
+               " mm",
+           {{}, layer, heights.bead, heights.point},
+           {{"points", static_cast<double>(heights.count)}, {"worst_height_mm", heights.worst}}});
+    }
+    if (speeds.count > 0) {
+      context.add(
+          {Severity::Warning,
+           "process.speed_clamped",
+           std::to_string(speeds.count) +
+               " points want a travel speed outside the process window, worst " +
+               formatFixed(speeds.worst, 2) + " mm/s; the window's limit is used",
+           "change the wire feed speed, the layer step or the window",
+           {{}, layer, speeds.bead, speeds.point},
+           {{"points", static_cast<double>(speeds.count)}, {"worst_speed_mm_s", speeds.worst}}});
+    }
+  }
+  return path;
+}
+
+ProcessStatistics processStatistics(const toolpath::Toolpath& path, const ProcessParams& params) {
+  ProcessStatistics s;
+  for (const toolpath::Layer& layer : path.layers) {
+    for (const toolpath::Bead& bead : layer.beads) {
+      for (std::size_t i = 0; i < bead.points.size(); ++i) {
+        const toolpath::PathPoint& point = bead.points[i];
+        const double wanted = travelSpeed(point.height, params);
+        s.clampedPoints +=
+            wanted < params.speedMin.value() || wanted > params.speedMax.value() ? 1U : 0U;
+        if (i > 0) {
+          const double length = (point.p - bead.points[i - 1].p).norm();
+          s.length += length;
+          s.time += length / point.speed;
+          s.wireLength += point.wireSpeed * length / point.speed;
+          s.wantedVolume += wallSection(point.height, point.width) * length;
+        }
+      }
+    }
+  }
+  s.wireVolume = s.wireLength * wireArea(params);
+  constexpr double kMm3PerCm3 = 1000.0;
+  s.mass = s.wireVolume / kMm3PerCm3 * params.density;
+  return s;
+}
+
+}  // namespace wcam::process
