@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "library.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+namespace wcam::plugin {
+
+namespace {
+
+/// Longest name that common file systems take, bytes.
+constexpr std::size_t kMaxFileName = 255;
+
+class Guard {
+public:
+  Guard(const std::string& plugin, const std::string& component)
+      : place_("plugin " + plugin + ", component " + component) {}
+
+  [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const {
+    throw Error(ErrorCode::JobFailed, message, place_, hint);
+  }
+
+  /// Runs a call into the plugin. A cancel passes only when it was asked for.
+  template <class Call>
+  auto run(const JobContext& context, const Call& call) const {
+    try {
+      return call();
+    } catch (const CancelledError&) {
+      if (context.cancelled()) {
+        throw;
+      }
+      fail("stopped as if it were cancelled, but nobody asked for it",
+           "report this to the vendor of the plugin");
+    } catch (const Error& error) {
+      fail(error.what(), error.hint());
+    } catch (...) {
+      fail("failed: " + currentExceptionText(), "report this to the vendor of the plugin");
+    }
+  }
+
+private:
+  std::string place_;
+};
+
+std::string contourProblem(const toolpath::Contour& contour, std::size_t partCount) {
+  if (contour.part < 0 || static_cast<std::size_t>(contour.part) >= partCount) {
+    return "names part " + std::to_string(contour.part) + ", which does not exist";
+  }
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    if (!contour.points[i].p.allFinite() || !contour.points[i].n.allFinite()) {
+      return "has a number that is not finite at point " + std::to_string(i);
+    }
+  }
+  return {};
+}
+
+class GuardedSlicing final : public SlicingStrategy {
+public:
+  GuardedSlicing(std::shared_ptr<const SlicingStrategy> inner, Guard guard)
+      : inner_(std::move(inner)), guard_(std::move(guard)) {}
+
+  [[nodiscard]] toolpath::SlicedLayers slice(const SliceInput& input,
+                                             const Value& params,
+                                             const JobContext& context) const override {
+    toolpath::SlicedLayers result =
+        guard_.run(context, [&] { return inner_->slice(input, params, context); });
+    for (std::size_t i = 0; i < result.layers.size(); ++i) {
+      const toolpath::SlicedLayer& layer = result.layers[i];
+      const bool finite =
+          std::isfinite(layer.level) && layer.up.allFinite() && std::isfinite(layer.nominalHeight);
+      if (!finite) {
+        guard_.fail("layer " + std::to_string(i) + " has a number that is not finite");
+      }
+      for (std::size_t k = 0; k < layer.contours.size(); ++k) {
+        const std::string problem = contourProblem(layer.contours[k], input.parts.size());
+        if (!problem.empty()) {
+          guard_.fail("layer " + std::to_string(i) + " contour " + std::to_string(k) + " " +
+                      problem);
+        }
+      }
+    }
+    return result;
+  }
+
+private:
+  std::shared_ptr<const SlicingStrategy> inner_;
+  Guard guard_;
+};
+
+std::string fileNameProblem(const std::string& name) {
+  if (name.empty() || name == "." || name == "..") {
+    return "is not a file name";
+  }
+  if (name.size() > kMaxFileName) {
+    return "is longer than " + std::to_string(kMaxFileName) + " bytes";
+  }
+  const bool bad = std::any_of(name.begin(), name.end(), [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return c == '/' || c == '\\' || c == ':' || code < 0x20 || code == 0x7F;
+  });
+  return bad ? "contains a folder, a colon or a control character" : std::string();
+}
+
+std::string lowerAscii(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+class GuardedPost final : public PostProcessor {
+public:
+  GuardedPost(std::shared_ptr<const PostProcessor> inner, Guard guard)
+      : inner_(std::move(inner)), guard_(std::move(guard)) {}
+
+  [[nodiscard]] std::vector<OutputFile> post(const program::Program& program,
+                                             const Value& params,
+                                             const JobContext& context) const override {
+    std::vector<OutputFile> files =
+        guard_.run(context, [&] { return inner_->post(program, params, context); });
+    if (files.empty()) {
+      guard_.fail("wrote no file");
+    }
+    // Controllers and their file servers ignore case.
+    std::set<std::string> names;
+    for (const OutputFile& file : files) {
+      const std::string problem = fileNameProblem(file.name);
+      if (!problem.empty()) {
+        guard_.fail("output file name '" + file.name + "' " + problem);
+      }
+      if (!names.insert(lowerAscii(file.name)).second) {
+        guard_.fail("output file name '" + file.name + "' appears twice (case is ignored)");
+      }
+    }
+    return files;
+  }
+
+private:
+  std::shared_ptr<const PostProcessor> inner_;
+  Guard guard_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SlicingStrategy> guardSlicing(std::shared_ptr<const SlicingStrategy> strategy,
+                                                    const std::string& plugin,
+                                                    const std::string& component) {
+  return std::make_shared<GuardedSlicing>(std::move(strategy), Guard(plugin, component));
+}
+
+std::shared_ptr<const PostProcessor> guardPost(std::shared_ptr<const PostProcessor> post,
+                                               const std::string& plugin,
+                                               const std::string& component) {
+  return std::make_shared<GuardedPost>(std::move(post), Guard(plugin, component));
+}
+
+}  // namespace wcam::plugin
