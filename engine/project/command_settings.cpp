@@ -91,18 +91,23 @@ public:
       found = everywhere(key);
     }
     if (found.empty()) {
-      if (!missing_.empty()) {
-        throw Error(ErrorCode::PluginMissing,
-                    "'" + key + "' cannot be set: no plugin provides " + joinText(missing_, ", "),
-                    "--set", "install the plugin; `camcli plugins list` shows what there is");
-      }
-      refuse("'" + key + "' is no parameter of this project" + didYouMean(key, known_),
-             "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");
+      refuseUnknown(key);
     }
     return found;
   }
 
 private:
+  [[noreturn]] void refuseUnknown(const std::string& key) const {
+    const std::string missing = "no plugin provides " + joinText(missing_, ", ");
+    if (nodeMatched_ && !missing_.empty()) {
+      throw Error(ErrorCode::PluginMissing, "'" + key + "' cannot be set: " + missing, "--set",
+                  "install the plugin; `camcli plugins list` shows what there is");
+    }
+    refuse("'" + key + "' is no parameter of this project" + didYouMean(key, known_) +
+               (missing_.empty() ? "" : " (" + missing + ")"),
+           "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");
+  }
+
   /// Nodes of a list, none when the file has no such list.
   const Value::Array& nodesOf(const NodeType& type) const {
     static const Value::Array kNone;

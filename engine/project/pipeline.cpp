@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/project/pipeline.hpp"
+
+#include "wcam/base/file_io.hpp"
+#include "wcam/base/json.hpp"
+#include "wcam/base/text.hpp"
+#include "wcam/program/from_motion.hpp"
+#include "wcam/project/project_file.hpp"
+
+#include <algorithm>
+
+namespace wcam::project {
+
+namespace {
+
+// Raise the version of a stage when the same input gives another result.
+constexpr int kPartVersion = 1;
+constexpr int kSubstrateVersion = 1;
+constexpr int kSliceVersion = 1;
+constexpr int kPathVersion = 1;
+constexpr int kProcessVersion = 1;
+constexpr int kCellVersion = 1;
+constexpr int kMotionVersion = 1;
+constexpr int kProgramVersion = 1;
+
+std::string placementText(const Placement& placement) {
+  std::string text;
+  for (const double number : placement.positionMm) {
+    text += formatFixed(number, 9) + ",";
+  }
+  for (const double number : placement.rotationDeg) {
+    text += formatFixed(number, 9) + ",";
+  }
+  return text;
+}
+
+/// Rethrows with the operation in front of the context.
+[[noreturn]] void rethrowIn(const Error& error, const std::string& place) {
+  if (error.code() == ErrorCode::Cancelled) {
+    throw CancelledError();
+  }
+  throw Error(error.code(), error.message(),
+              error.context().empty() ? place : place + ": " + error.context(), error.hint());
+}
+
+int edgeByName(const geometry::Brep& brep, const std::string& name) {
+  std::vector<std::string> names;
+  for (int i = 0; i < brep.edgeCount(); ++i) {
+    if (brep.edge(i).name == name) {
+      return i;
+    }
+    if (!brep.edge(i).name.empty()) {
+      names.push_back(brep.edge(i).name);
+    }
+  }
+  const auto near = nearestName(name, names);
+  throw Error(ErrorCode::ProjectInvalid, "the part has no edge named '" + name + "'", {},
+              near ? "did you mean '" + *near + "'?"
+                   : "name the edge by its index; `camcli info` lists them");
+}
+
+/// The diagnostics of a stage belong to the operation.
+void collect(std::vector<Diagnostic>& findings,
+             const std::vector<Diagnostic>& stage,
+             const std::string& operation) {
+  for (Diagnostic diagnostic : stage) {
+    diagnostic.place.operation = operation;
+    findings.push_back(std::move(diagnostic));
+  }
+}
+
+void checkParams(const ParamSchema& schema,
+                 const Value& params,
+                 const std::string& path,
+                 std::vector<ParamProblem>& problems) {
+  for (ParamProblem& problem : schema.validate(params, path)) {
+    problems.push_back(std::move(problem));
+  }
+}
+
+}  // namespace
+
+Pipeline::Pipeline(Document document,
+                   std::filesystem::path project,
+                   std::shared_ptr<const plugin::PluginHost> plugins,
+                   std::shared_ptr<StageCache> cache)
+    : document_(std::move(document)),
+      project_(std::move(project)),
+      plugins_(std::move(plugins)),
+      cache_(std::move(cache)) {}
+
+template <class T>
+Staged<T> Pipeline::stage(const std::string& name,
+                          StageKey key,
+                          const JobContext& context,
+                          const std::function<T(const JobContext&)>& make) const {
+  context.check();
+  return cache_->get<T>(name, key.hex(), context, make);
+}
+
+std::vector<Diagnostic> Pipeline::validate() const {
+  const Project& project = document_.project();
+  std::vector<ParamProblem> problems;
+  for (std::size_t i = 0; i < project.parts.size(); ++i) {
+    checkParams(io::importOptionsSchema().params(), project.parts[i].import,
+                "parts[" + std::to_string(i) + "].import", problems);
+  }
+  for (std::size_t i = 0; i < project.processes.size(); ++i) {
+    checkParams(process::ProcessParams::schema().params(), project.processes[i].params,
+                "processes[" + std::to_string(i) + "].params", problems);
+  }
+  for (std::size_t i = 0; i < project.operations.size(); ++i) {
+    const Operation& operation = project.operations[i];
+    const std::string path = "operations[" + std::to_string(i) + "]";
+    const auto strategy = plugins_->findSlicing(operation.strategy);
+    checkParams(strategy->info.params, operation.params, path + ".params", problems);
+    checkParams(toolpath::PathParams::schema().params(), operation.path, path + ".path", problems);
+    checkParams(motion::MotionParams::schema().params(), operation.motion, path + ".motion",
+                problems);
+    if (strategy->info.needsGuide && operation.guide.empty()) {
+      problems.push_back(
+          {path + ".guide", "the strategy " + operation.strategy + " needs a guide curve"});
+    }
+  }
+  for (std::size_t i = 0; i < project.outputs.size(); ++i) {
+    const auto post = plugins_->findPost(project.outputs[i].post);
+    checkParams(post->info.params, project.outputs[i].params,
+                "outputs[" + std::to_string(i) + "].params", problems);
+  }
+  std::vector<Diagnostic> findings;
+  for (const ParamProblem& problem : problems) {
+    if (problem.unknown) {
+      findings.push_back({Severity::Warning,
+                          "project.unknown_parameter",
+                          problem.path + ": " + problem.message,
+                          "it is kept in the file and has no effect",
+                          {},
+                          {}});
+    }
+  }
+  std::erase_if(problems, [](const ParamProblem& p) { return p.unknown; });
+  throwProblems(problems, ErrorCode::ProjectInvalid, pathText(project_));
+  const std::vector<Diagnostic> files = checkFiles(document_, project_);
+  findings.insert(findings.end(), files.begin(), files.end());
+  return findings;
+}
+
+Staged<io::ImportedPart> Pipeline::stagePart(const std::string& id,
+                                             const JobContext& context) const {
+  const Part& part = *document_.project().part(id);
+  const std::filesystem::path file = resolvePath(project_, part.file);
+  const Value options =
+      io::importOptionsSchema().params().complete(part.import, "part '" + id + "'");
+  StageKey key("part", kPartVersion);
+  key.text(sha256OfFile(file)).params(options).text(placementText(part.placement));
+  for (const int face : part.faces) {
+    key.text(std::to_string(face));
+  }
+  return stage<io::ImportedPart>("part", std::move(key), context, [&](const JobContext& own) {
+    io::ImportedPart imported =
+        io::importPart(file, io::importOptionsSchema().read(options), toPose(part.placement), own);
+    if (!part.faces.empty()) {
+      imported.surface = std::make_shared<const geometry::PartSurface>(
+          geometry::selectFaces(*imported.surface, part.faces));
+    }
+    return imported;
+  });
+}
+
+std::shared_ptr<const io::ImportedPart> Pipeline::importPart(const std::string& part,
+                                                             const JobContext& context) const {
+  return stagePart(part, context).value;
+}
+
+Staged<toolpath::Substrate> Pipeline::stageSubstrate(const Operation& operation,
+                                                     const JobContext& context) const {
+  const Substrate& substrate = *document_.project().substrate(operation.substrate);
+  StageKey key("substrate", kSubstrateVersion);
+  key.text(placementText(substrate.placement));
+  std::shared_ptr<const geometry::PartSurface> body;
+  if (substrate.type == Substrate::Type::Part) {
+    const Staged<io::ImportedPart> part = stagePart(substrate.part, context);
+    body = part.value->surface;
+    key.text(part.key);
+  } else {
+    for (const double size : substrate.sizeMm) {
+      key.text(formatFixed(size, 9));
+    }
+  }
+  return stage<toolpath::Substrate>("substrate", std::move(key), context, [&](const JobContext&) {
+    const geometry::Pose pose = toPose(substrate.placement);
+    return body != nullptr
+               ? toolpath::Substrate(pose, body)
+               : toolpath::Substrate(pose, geometry::Vec3(substrate.sizeMm[0], substrate.sizeMm[1],
+                                                          substrate.sizeMm[2]));
+  });
+}
+
+std::shared_ptr<const geometry::GuideCurve> Pipeline::makeGuide(const Guide& guide,
+                                                                std::string& key,
+                                                                const JobContext& context) const {
+  switch (guide.type) {
+    case Guide::Type::Edge: {
+      const Staged<io::ImportedPart> part = stagePart(guide.part, context);
+      const auto& brep = part.value->surface->brep;
+      if (brep == nullptr) {
+        throw Error(ErrorCode::ProjectInvalid,
+                    "the part '" + guide.part + "' is a mesh and has no CAD edges",
+                    "guide '" + guide.id + "'", "use a polyline or a formula as guide");
+      }
+      const int edge = guide.edgeName.empty() ? guide.edge : edgeByName(*brep, guide.edgeName);
+      key = part.key + ":" + std::to_string(edge) + (guide.reversed ? "r" : "");
+      return geometry::guideFromEdge(brep, edge, guide.reversed);
+    }
+    case Guide::Type::Polyline: {
+      const std::filesystem::path file = resolvePath(project_, guide.file);
+      key = sha256OfFile(file);
+      return geometry::guideFromFile(pathText(file));
+    }
+    case Guide::Type::Formula:
+      key = joinText({guide.formulas[0], guide.formulas[1], guide.formulas[2],
+                      formatFixed(guide.begin, 12), formatFixed(guide.end, 12)},
+                     ";");
+      return geometry::guideFromFormula(guide.formulas, guide.begin, guide.end);
+  }
+  return nullptr;
+}
+
+process::ProcessParams Pipeline::processOf(const Operation& operation, Value& completed) const {
+  const Process& process = *document_.project().process(operation.process);
+  Value params = Value::object();
+  if (!process.file.empty()) {
+    const std::filesystem::path file = resolvePath(project_, process.file);
+    const Value tree = parseJson(readFile(file), pathText(file));
+    params = tree.contains("params") ? tree.at("params") : tree;
+  }
+  if (process.params.isObject()) {
+    for (const auto& [key, value] : process.params.asObject()) {
+      params.set(key, value);
+    }
+  }
+  completed =
+      process::ProcessParams::schema().params().complete(params, "process '" + process.id + "'");
+  return process::ProcessParams::schema().read(completed);
+}
+
+Staged<cell::Cell> Pipeline::stageCell(const JobContext& context) const {
+  const FileRef& ref = document_.project().cell;
+  if (ref.empty()) {
+    throw Error(ErrorCode::ProjectInvalid, "the project names no cell", pathText(project_),
+                "set \"cell\" to a cell file");
+  }
+  const std::filesystem::path file = resolvePath(project_, ref);
+  StageKey key("cell", kCellVersion);
+  key.text(sha256OfFile(file));
+  return stage<cell::Cell>("cell", std::move(key), context,
+                           [&](const JobContext& own) { return cell::loadCell(file, own); });
+}
+
+OperationResult Pipeline::compute(const std::string& id, const JobContext& context) const {
+  const Operation* operation = document_.project().operation(id);
+  if (operation == nullptr) {
+    std::vector<std::string> ids;
+    for (const Operation& known : document_.project().operations) {
+      ids.push_back(known.id);
+    }
+    const auto near = nearestName(id, ids);
+    throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {},
+                near ? "did you mean '" + *near + "'?" : "operations: " + joinText(ids, ", "));
+  }
+  try {
+    return computeStages(*operation, context);
+  } catch (const Error& error) {
+    rethrowIn(error, "operation '" + id + "'");
+  }
+}
+
+OperationResult Pipeline::computeStages(const Operation& operation,
+                                        const JobContext& context) const {
+  OperationResult result;
+  result.id = operation.id;
+  result.strategy = operation.strategy;
+  const auto collectFrom = [&](const auto& staged) {
+    collect(result.findings, staged.findings, operation.id);
+  };
+
+  plugin::SliceInput input;
+  StageKey sliceKey("slice", kSliceVersion);
+  for (std::size_t i = 0; i < operation.parts.size(); ++i) {
+    const Staged<io::ImportedPart> part =
+        stagePart(operation.parts[i], context.portion(0.0, 0.25, "import"));
+    collectFrom(part);
+    result.parts.push_back(part.value);
+    input.parts.push_back(part.value->surface);
+    sliceKey.text(part.key);
+  }
+  const Staged<toolpath::Substrate> substrate = stageSubstrate(operation, context);
+  collectFrom(substrate);
+  result.substrate = input.substrate = substrate.value;
+  if (!operation.guide.empty()) {
+    std::string guideKey;
+    input.guide = makeGuide(*document_.project().guide(operation.guide), guideKey, context);
+    sliceKey.text(guideKey);
+  }
+  const auto pathParams = toolpath::PathParams::schema().read(operation.path, "path");
+  input.sampling = pathParams.sampling();
+  const auto strategy = plugins_->findSlicing(operation.strategy);
+  const Value sliceParams = strategy->info.params.complete(operation.params, "params");
+  sliceKey.text(substrate.key)
+      .text(strategy->info.id)
+      .text(std::to_string(strategy->info.version))
+      .text(strategy->pluginVersion);
+  sliceKey.params(sliceParams)
+      .text(formatReal(input.sampling.chordError))
+      .text(formatReal(input.sampling.maxSpacing));
+  const auto sliced = stage<toolpath::SlicedLayers>(
+      "slice", std::move(sliceKey), context.portion(0.25, 0.6, "slice"),
+      [&](const JobContext& own) { return strategy->strategy->slice(input, sliceParams, own); });
+  collectFrom(sliced);
+  result.sliced = sliced.value;
+
+  StageKey pathKey("path", kPathVersion);
+  pathKey.text(sliced.key).params(toolpath::PathParams::schema().params().complete(operation.path));
+  const auto path = stage<toolpath::Toolpath>(
+      "path", std::move(pathKey), context.portion(0.6, 0.7, "path"), [&](const JobContext& own) {
+        return toolpath::buildToolpath(*sliced.value, *substrate.value, pathParams, own);
+      });
+  collectFrom(path);
+
+  Value processParams;
+  result.process = processOf(operation, processParams);
+  StageKey processKey("process", kProcessVersion);
+  processKey.text(path.key).params(processParams);
+  const auto processed = stage<toolpath::Toolpath>(
+      "process", std::move(processKey), context, [&](const JobContext& own) {
+        return process::applyProcess(*path.value, result.process, own);
+      });
+  collectFrom(processed);
+  result.path = processed.value;
+
+  const Staged<cell::Cell> cell = stageCell(context);
+  collectFrom(cell);
+  result.cell = cell.value;
+  const auto motionParams = motion::MotionParams::schema().read(operation.motion, "motion");
+  StageKey motionKey("motion", kMotionVersion);
+  motionKey.text(processed.key)
+      .text(cell.key)
+      .params(motion::MotionParams::schema().params().complete(operation.motion));
+  const auto motion = stage<motion::PlannedMotion>(
+      "motion", std::move(motionKey), context.portion(0.7, 0.95, "motion"),
+      [&](const JobContext& own) {
+        return motion::planMotion(*processed.value, *cell.value, motionParams, operation.id, own);
+      });
+  collectFrom(motion);
+  result.motion = motion.value;
+
+  StageKey programKey("program", kProgramVersion);
+  programKey.text(motion.key)
+      .text(operation.id)
+      .text(document_.project().name)
+      .params(processParams);
+  const auto program = stage<program::Program>(
+      "program", std::move(programKey), context.portion(0.95, 1.0, "program"),
+      [&](const JobContext& own) {
+        const program::ArcSettings arc{result.process.job, result.process.craterTime.value(),
+                                       motionParams.jointSpeedRatio};
+        return program::programFromMotion(motion.value->motion, *cell.value, arc, operation.id,
+                                          document_.project().name, own);
+      });
+  collectFrom(program);
+  result.program = program.value;
+  context.report(1.0);
+  return result;
+}
+
+std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
+                                               const OperationResult& result,
+                                               const JobContext& context) const {
+  const auto post = plugins_->findPost(output.post);
+  try {
+    return post->post->post(*result.program, post->info.params.complete(output.params, "params"),
+                           context);
+  } catch (const Error& error) {
+    rethrowIn(error, "output '" + output.id + "', operation '" + result.id + "'");
+  }
+}
+
+}  // namespace wcam::project

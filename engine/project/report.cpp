@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/project/report.hpp"
+
+#include "wcam/base/quantity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace wcam::project {
+
+namespace {
+
+/// Least, mean and greatest of what is added, weighted.
+class Range {
+public:
+  void add(double value, double weight = 1.0) {
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+    sum_ += weight * value;
+    weight_ += weight;
+  }
+
+  [[nodiscard]] Value toValue() const {
+    if (!(low_ <= high_)) {
+      return Value();
+    }
+    return Value::object(
+        {{"min", low_}, {"mean", weight_ > 0.0 ? sum_ / weight_ : low_}, {"max", high_}});
+  }
+
+private:
+  double low_ = std::numeric_limits<double>::infinity();
+  double high_ = -std::numeric_limits<double>::infinity();
+  double sum_ = 0.0;
+  double weight_ = 0.0;
+};
+
+double angleDeg(const geometry::Vec3& a, const geometry::Vec3& b) {
+  return radToDeg(std::atan2(a.cross(b).norm(), a.dot(b)));
+}
+
+Value countsByCode(const std::vector<Diagnostic>& findings) {
+  std::map<std::string, int> counts;
+  for (const Diagnostic& finding : findings) {
+    ++counts[finding.code];
+  }
+  Value result = Value::object();
+  for (const auto& [code, count] : counts) {
+    result.set(code, count);
+  }
+  return result;
+}
+
+Value listOf(const std::vector<Diagnostic>& findings) {
+  Value list = Value::array();
+  for (const Diagnostic& finding : findings) {
+    list.push(toValue(finding));
+  }
+  return list;
+}
+
+void addPath(Value& report, const OperationResult& result) {
+  Range height;
+  Range distance;
+  Range tilt;
+  Range overhang;
+  Range speed;
+  for (std::size_t l = 0; l < result.path->layers.size(); ++l) {
+    for (const toolpath::Bead& bead : result.path->layers[l].beads) {
+      for (std::size_t i = 0; i < bead.points.size(); ++i) {
+        const toolpath::PathPoint& point = bead.points[i];
+        const double before = i > 0 ? (point.p - bead.points[i - 1].p).norm() : 0.0;
+        const double after =
+            i + 1 < bead.points.size() ? (bead.points[i + 1].p - point.p).norm() : 0.0;
+        const double weight = 0.5 * (before + after);
+        height.add(point.height, weight);
+        if (l > 0) {
+          distance.add(point.distance, weight);
+        }
+        tilt.add(angleDeg(point.axis, point.up), weight);
+        overhang.add(angleDeg(point.b, point.up), weight);
+        speed.add(point.speed, weight);
+      }
+    }
+  }
+  report.set("height_mm", height.toValue())
+      .set("layer_distance_mm", distance.toValue())
+      .set("speed_mm_s", speed.toValue())
+      .set("tilt_deg", tilt.toValue())
+      .set("overhang_deg", overhang.toValue());
+}
+
+void addProcess(Value& report, const OperationResult& result) {
+  const process::ProcessStatistics s = process::processStatistics(*result.path, result.process);
+  constexpr double kMmPerM = 1000.0;
+  report.set("length_mm", s.length)
+      .set("deposited_volume_mm3", s.wireVolume)
+      .set("wanted_volume_mm3", s.wantedVolume)
+      .set("wire_length_m", s.wireLength / kMmPerM)
+      .set("mass_g", s.mass)
+      .set("clamped_points", s.clampedPoints)
+      .set("arc_time_s", s.time);
+}
+
+}  // namespace
+
+Value operationReport(const OperationResult& result) {
+  Value report = Value::object({{"id", result.id}, {"strategy", result.strategy}});
+  report.set("layers", result.path->layers.size())
+      .set("beads", result.path->beadCount())
+      .set("points", result.path->pointCount());
+  report.set("arc_starts", result.path->beadCount());
+  addProcess(report, result);
+  addPath(report, result);
+  addMotion(report, result);
+  report.set("diagnostics_by_code", countsByCode(result.findings));
+  return report;
+}
+
+Value projectReport(const Document& document,
+                    const std::vector<OperationResult>& results,
+                    const std::vector<WrittenFile>& files,
+                    const std::vector<Diagnostic>& projectFindings) {
+  Value operations = Value::array();
+  std::vector<Diagnostic> findings = projectFindings;
+  for (const OperationResult& result : results) {
+    operations.push(operationReport(result));
+    findings.insert(findings.end(), result.findings.begin(), result.findings.end());
+  }
+  Value written = Value::array();
+  for (const WrittenFile& file : files) {
+    Value entry = Value::object({{"path", file.path}, {"bytes", file.bytes}});
+    if (!file.output.empty()) {
+      entry.set("output", file.output);
+    }
+    if (!file.operation.empty()) {
+      entry.set("operation", file.operation);
+    }
+    written.push(entry);
+  }
+  return Value::object({{"format", "wcam-report"},
+                        {"format_version", 1},
+                        {"project", document.project().name},
+                        {"operations", operations},
+                        {"files", written},
+                        {"diagnostics", listOf(findings)}});
+}
+
+}  // namespace wcam::project
