@@ -381,7 +381,7 @@ std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
   const auto post = plugins_->findPost(output.post);
   try {
     return post->post->post(*result.program, post->info.params.complete(output.params, "params"),
-                           context);
+                            context);
   } catch (const Error& error) {
     rethrowIn(error, "output '" + output.id + "', operation '" + result.id + "'");
   }

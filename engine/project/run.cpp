@@ -3,12 +3,12 @@
 
 #include "wcam/project/run.hpp"
 
-#include <algorithm>
-#include <map>
-
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
+
+#include <algorithm>
+#include <map>
 
 namespace wcam::project {
 
@@ -29,7 +29,8 @@ std::vector<std::string> operationIds(const Project& project, const RunRequest& 
     }
   }
   if (ids.empty()) {
-    throw Error(ErrorCode::ProjectInvalid, "the project has no enabled operation", {}, "add an operation or enable one");
+    throw Error(ErrorCode::ProjectInvalid, "the project has no enabled operation", {},
+                "add an operation or enable one");
   }
   for (const std::string& id : ids) {
     if (project.operation(id) == nullptr) {
@@ -37,13 +38,15 @@ std::vector<std::string> operationIds(const Project& project, const RunRequest& 
       for (const Operation& operation : project.operations) {
         known.push_back(operation.id);
       }
-      throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {}, "operations: " + joinText(known, ", "));
+      throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {},
+                  "operations: " + joinText(known, ", "));
     }
   }
   return ids;
 }
 
-/// The stored outputs that the request names; a post-processor without a stored output gets one with its defaults.
+/// The stored outputs that the request names; a post-processor without a stored output gets one
+/// with its defaults.
 std::vector<Output> requestedOutputs(const Project& project, const RunRequest& request) {
   if (request.posts.empty()) {
     return project.outputs;
@@ -68,10 +71,13 @@ std::vector<Output> requestedOutputs(const Project& project, const RunRequest& r
 }
 
 bool hasViolation(const OperationResult& result) {
-  return std::any_of(result.findings.begin(), result.findings.end(), [](const Diagnostic& d) { return d.severity == Severity::Violation; });
+  return std::any_of(result.findings.begin(), result.findings.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::Violation; });
 }
 
-std::string joinedPath(const std::string& folder, const std::string& name) { return folder.empty() ? name : folder + "/" + name; }
+std::string joinedPath(const std::string& folder, const std::string& name) {
+  return folder.empty() ? name : folder + "/" + name;
+}
 
 /// Two files of one path would silently replace each other.
 void refuseDuplicates(const std::vector<PendingFile>& pending) {
@@ -80,25 +86,31 @@ void refuseDuplicates(const std::vector<PendingFile>& pending) {
     const auto [other, fresh] = seen.emplace(file.file.path, &file.file);
     if (!fresh) {
       throw Error(ErrorCode::OutputConflict,
-                  "the outputs '" + other->second->output + "' and '" + file.file.output + "' both write " + file.file.path, "outputs",
-                  "give one of them another folder");
+                  "the outputs '" + other->second->output + "' and '" + file.file.output +
+                      "' both write " + file.file.path,
+                  "outputs", "give one of them another folder");
     }
   }
 }
 
-void printOutputs(const Pipeline& pipeline, const std::vector<Output>& outputs, const JobContext& context, RunResult& result,
+void printOutputs(const Pipeline& pipeline,
+                  const std::vector<Output>& outputs,
+                  const JobContext& context,
+                  RunResult& result,
                   std::vector<PendingFile>& pending) {
   for (const Output& output : outputs) {
     for (const OperationResult& operation : result.operations) {
-      const bool wanted = output.operations.empty() ||
-                          std::find(output.operations.begin(), output.operations.end(), operation.id) != output.operations.end();
+      const bool wanted =
+          output.operations.empty() || std::find(output.operations.begin(), output.operations.end(),
+                                                 operation.id) != output.operations.end();
       if (!wanted || hasViolation(operation)) {
         continue;
       }
       context.check();
       try {
         for (plugin::OutputFile& file : pipeline.post(output, operation, context)) {
-          WrittenFile written{output.id, operation.id, joinedPath(output.folder, file.name), file.content.size()};
+          WrittenFile written{output.id, operation.id, joinedPath(output.folder, file.name),
+                              file.content.size()};
           pending.push_back({std::move(written), std::move(file.content)});
         }
       } catch (const CancelledError&) {
@@ -119,7 +131,9 @@ int RunResult::exitCode() const {
   return violations > 0 ? exitCodeOf(ErrorCode::CheckFailed) : 0;
 }
 
-RunResult runProject(const Pipeline& pipeline, const RunRequest& request, const JobContext& context) {
+RunResult runProject(const Pipeline& pipeline,
+                     const RunRequest& request,
+                     const JobContext& context) {
   const Project& project = pipeline.document().project();
   std::vector<Diagnostic> projectFindings = pipeline.document().findings();
   const std::vector<Diagnostic> warnings = pipeline.validate();
@@ -149,7 +163,8 @@ RunResult runProject(const Pipeline& pipeline, const RunRequest& request, const 
     if (request.tables) {
       for (const OperationResult& operation : result.operations) {
         std::string table = operationTable(operation);
-        pending.push_back({{"", operation.id, operation.id + ".csv", table.size()}, std::move(table)});
+        pending.push_back(
+            {{"", operation.id, operation.id + ".csv", table.size()}, std::move(table)});
       }
     }
     refuseDuplicates(pending);
@@ -157,7 +172,8 @@ RunResult runProject(const Pipeline& pipeline, const RunRequest& request, const 
   for (const PendingFile& file : pending) {
     result.files.push_back(file.file);
   }
-  result.report = projectReport(pipeline.document(), result.operations, result.files, projectFindings);
+  result.report =
+      projectReport(pipeline.document(), result.operations, result.files, projectFindings);
   if (!request.checkOnly) {
     for (const PendingFile& file : pending) {
       context.check();

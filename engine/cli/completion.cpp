@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "verbs.hpp"
+#include <CLI/CLI.hpp>
+
+namespace wcam::cli {
+
+namespace {
+
+std::string optionNames(const CLI::App& app) {
+  std::string names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names += " --" + name;
+    }
+  }
+  return names;
+}
+
+std::string verbNames(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    names += (names.empty() ? "" : " ") + verb->get_name();
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string completionScript(const CLI::App& app, const std::string& shell) {
+  // One function serves both shells: zsh runs it through bashcompinit.
+  std::string script = shell == "zsh"
+                           ? "#compdef camcli\nautoload -U +X bashcompinit && bashcompinit\n"
+                           : "# bash completion of camcli\n";
+  script +=
+      "_camcli() {\n  local word=\"${COMP_WORDS[COMP_CWORD]}\" "
+      "before=\"${COMP_WORDS[COMP_CWORD-1]}\" verb=\"${COMP_WORDS[1]}\"\n";
+  script += "  local options=\"" + optionNames(app) + "\"\n  case \"$verb\" in\n";
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    script += "    " + verb->get_name() + ") options=\"" + optionNames(*verb) + " " +
+              verbNames(*verb) + "\" ;;\n";
+  }
+  script += "  esac\n  case \"$before\" in\n";
+  script += "    --post|--operation|--set|--threads|--name) return ;;\n";
+  script +=
+      "    --project|--output|--report|--plugin|--part|--cell) COMPREPLY=($(compgen -f -- "
+      "\"$word\")); return ;;\n";
+  script += "    completion) COMPREPLY=($(compgen -W \"bash zsh\" -- \"$word\")); return ;;\n";
+  script +=
+      "    schema) COMPREPLY=($(compgen -W \"$(camcli schema 2>/dev/null)\" -- \"$word\")); return "
+      ";;\n  esac\n";
+  script +=
+      "  if [[ \"$word\" == -* ]]; then\n    COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n";
+  script += "  elif [[ $COMP_CWORD -eq 1 ]]; then\n    COMPREPLY=($(compgen -W \"" +
+            verbNames(app) + "\" -- \"$word\"))\n";
+  script +=
+      "  else\n    COMPREPLY=($(compgen -f -- \"$word\"))\n  fi\n}\ncomplete -o filenames -F "
+      "_camcli camcli\n";
+  return script;
+}
+
+}  // namespace wcam::cli

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "wcam/base/context.hpp"
+#include "wcam/base/error.hpp"
+
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace wcam::cli {
+
+/// Turns SIGINT and SIGTERM into a stop request: the first asks the job to end, the second ends the
+/// process at once. Must be made before any other thread, since the signals are blocked in all of
+/// them.
+class InterruptGuard {
+public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+private:
+  std::stop_source source_;
+  std::jthread thread_;
+};
+
+/// Human text on stderr; quiet keeps errors only.
+class Console {
+public:
+  explicit Console(bool quiet) : quiet_(quiet) {}
+
+  void say(const std::string& line) const;
+  void complain(const std::string& line) const;
+  void error(const Error& error) const;
+  /// Findings grouped by severity and code: the worst first, each code with its count and first
+  /// place.
+  void findings(const std::vector<Diagnostic>& findings) const;
+  /// A progress bar on a terminal, nothing elsewhere.
+  [[nodiscard]] JobContext::ProgressFunction progressBar() const;
+  void endProgress() const;
+
+private:
+  bool quiet_;
+};
+
+}  // namespace wcam::cli

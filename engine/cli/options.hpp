@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace wcam::cli {
+
+/// What the command line says, as CLI11 fills it.
+struct Options {
+  // camcli --project
+  std::string project;
+  std::string output;
+  std::vector<std::string> posts;
+  std::vector<std::string> operations;
+  std::vector<std::string> settings;
+  bool table = false;
+  std::string report;
+  bool json = false;
+  bool check = false;
+  int threads = 0;
+  bool quiet = false;
+  std::vector<std::string> plugins;
+  bool noUserPlugins = false;
+  // verbs
+  std::string file;       ///< new, info, apply, check
+  std::string commands;   ///< apply
+  std::string part;       ///< new
+  std::string cell;       ///< new
+  std::string name;       ///< new
+  std::string component;  ///< schema
+  std::string shell;      ///< completion
+};
+
+}  // namespace wcam::cli

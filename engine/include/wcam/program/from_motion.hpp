@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/context.hpp"
+#include "wcam/cell/cell.hpp"
+#include "wcam/motion/motion.hpp"
+#include "wcam/program/program.hpp"
+
+#include <string>
+
+namespace wcam::program {
+
+/// What the program takes from the process.
+struct ArcSettings {
+  int job = 1;
+  double craterTime = 0.0;       ///< s
+  double jointSpeedRatio = 0.1;  ///< of joint moves
+};
+
+/// Turns a motion into the robot-neutral program: arc on where a bead starts, arc off with crater
+/// fill where it ends, exact stops there, layer and bead marks around.
+Program programFromMotion(const motion::Motion& motion,
+                          const cell::Cell& cell,
+                          const ArcSettings& arc,
+                          const std::string& operation,
+                          const std::string& projectName,
+                          const JobContext& context);
+
+}  // namespace wcam::program

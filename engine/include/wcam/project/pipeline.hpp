@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/context.hpp"
+#include "wcam/cell/cell.hpp"
+#include "wcam/io/import.hpp"
+#include "wcam/motion/plan.hpp"
+#include "wcam/plugin/host.hpp"
+#include "wcam/process/process.hpp"
+#include "wcam/program/program.hpp"
+#include "wcam/project/document.hpp"
+#include "wcam/project/stage_cache.hpp"
+#include "wcam/toolpath/build.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wcam::project {
+
+/// Everything that an operation gives, with the findings of all its stages (their place names the
+/// operation).
+struct OperationResult {
+  std::string id;
+  std::string strategy;
+  std::vector<std::shared_ptr<const io::ImportedPart>> parts;
+  std::shared_ptr<const toolpath::Substrate> substrate;
+  std::shared_ptr<const toolpath::SlicedLayers> sliced;
+  std::shared_ptr<const toolpath::Toolpath> path;  ///< with process
+  std::shared_ptr<const cell::Cell> cell;
+  std::shared_ptr<const motion::PlannedMotion> motion;
+  std::shared_ptr<const program::Program> program;
+  process::ProcessParams process;
+  std::vector<Diagnostic> findings;
+};
+
+/// part → layers → beads → process → motion → program → files, each stage a cached pure function
+/// (DESIGN 4).
+class Pipeline {
+public:
+  /// @param project path of the .wcam file, against which the document's files are resolved
+  Pipeline(Document document,
+           std::filesystem::path project,
+           std::shared_ptr<const plugin::PluginHost> plugins,
+           std::shared_ptr<StageCache> cache = std::make_shared<StageCache>());
+
+  /// All problems of parameters, components and file references, without computing anything.
+  /// @return warnings: unknown parameters, changed files
+  /// @throws Error(ProjectInvalid / PluginMissing / InputNotFound) listing them
+  [[nodiscard]] std::vector<Diagnostic> validate() const;
+
+  /// @throws Error of the stage that fails, with the operation in its context
+  [[nodiscard]] OperationResult compute(const std::string& operation,
+                                        const JobContext& context) const;
+
+  /// Prints an operation's program with an output's post-processor.
+  [[nodiscard]] std::vector<plugin::OutputFile> post(const Output& output,
+                                                     const OperationResult& result,
+                                                     const JobContext& context) const;
+
+  /// The part alone, as `info` and previews want it.
+  [[nodiscard]] std::shared_ptr<const io::ImportedPart> importPart(const std::string& part,
+                                                                   const JobContext& context) const;
+
+  [[nodiscard]] const Document& document() const noexcept { return document_; }
+
+private:
+  template <class T>
+  Staged<T> stage(const std::string& name,
+                  StageKey key,
+                  const JobContext& context,
+                  const std::function<T(const JobContext&)>& make) const;
+  [[nodiscard]] Staged<io::ImportedPart> stagePart(const std::string& id,
+                                                   const JobContext& context) const;
+  [[nodiscard]] Staged<toolpath::Substrate> stageSubstrate(const Operation& operation,
+                                                           const JobContext& context) const;
+  [[nodiscard]] std::shared_ptr<const geometry::GuideCurve> makeGuide(
+      const Guide& guide, std::string& key, const JobContext& context) const;
+  [[nodiscard]] process::ProcessParams processOf(const Operation& operation,
+                                                 Value& completed) const;
+  [[nodiscard]] OperationResult computeStages(const Operation& operation,
+                                              const JobContext& context) const;
+  [[nodiscard]] Staged<cell::Cell> stageCell(const JobContext& context) const;
+
+  Document document_;
+  std::filesystem::path project_;
+  std::shared_ptr<const plugin::PluginHost> plugins_;
+  std::shared_ptr<StageCache> cache_;
+};
+
+}  // namespace wcam::project

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/context.hpp"
+#include "wcam/base/error.hpp"
+#include "wcam/project/pipeline.hpp"
+#include "wcam/project/report.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace wcam::project {
+
+/// What to do with a project: the same request comes from camcli and from the front-end.
+struct RunRequest {
+  std::filesystem::path folder;         ///< output folder; made when missing
+  std::vector<std::string> operations;  ///< ids; empty: all enabled ones
+  std::vector<std::string>
+      posts;               ///< ids of outputs or of post-processors; empty: all stored outputs
+  bool tables = false;     ///< also write <operation>.csv
+  bool checkOnly = false;  ///< compute and look, write nothing
+};
+
+/// An operation or output that gave no result.
+struct RunFailure {
+  std::string place;
+  Error error;
+};
+
+struct RunResult {
+  std::vector<OperationResult> operations;  ///< those that could be computed
+  std::vector<WrittenFile> files;
+  std::vector<RunFailure> failures;
+  std::size_t violations = 0;
+  Value report;  ///< report.json
+
+  /// 0, 5 for violations, else the code of the first failure.
+  [[nodiscard]] int exitCode() const;
+};
+
+/// Computes the operations and writes their programs, tables and report.json. Everything is
+/// computed before the first file is written, each file is replaced atomically, so that a failure
+/// or a cancel leaves no half-written output. An operation with violations gets no robot program:
+/// its findings tell why. A failing operation does not stop the others.
+/// @throws Error for problems of the request or the whole project; CancelledError
+RunResult runProject(const Pipeline& pipeline,
+                     const RunRequest& request,
+                     const JobContext& context);
+
+}  // namespace wcam::project

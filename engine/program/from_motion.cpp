@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/program/from_motion.hpp"
+
+#include "wcam/cell/kinematics.hpp"
+
+namespace wcam::program {
+
+namespace {
+
+CellFacts factsOf(const cell::Cell& cell) {
+  CellFacts facts;
+  facts.cellName = cell.name;
+  facts.robotJoints = cell.robotJoints();
+  facts.positionerJoints = cell.positionerJoints();
+  facts.partCarried = cell.partCarried();
+  for (int j = 0; j < cell.jointCount(); ++j) {
+    facts.jointNames.push_back(cell.joint(j).name);
+    facts.linearJoint.push_back(false);
+  }
+  facts.T_flange_tcp = cell.T_flange_tcp;
+  facts.T_base_positioner = cell.partCarried()
+                                ? Pose::Identity()
+                                : cell::T_base_table(cell, JointVector::Zero(cell.jointCount()));
+  return facts;
+}
+
+/// Emits instructions and keeps track of what is open.
+class Builder {
+public:
+  Builder(Program& program, const cell::Cell& cell, const ArcSettings& arc)
+      : program_(program), cell_(cell), arc_(arc) {}
+
+  void add(const motion::Waypoint& point, const motion::Waypoint* next) {
+    const Origin origin{point.layer, point.bead, point.point};
+    if (point.layer != layer_) {
+      endBead();
+      endLayer();
+      if (point.layer >= 0) {
+        layer_ = point.layer;
+        put(LayerBegin{layer_}, {layer_, -1, -1});
+      }
+    }
+    const bool arcAfter = next != nullptr && next->arc;
+    if (!arcOn_ && arcAfter) {
+      bead_ = point.bead;
+      put(BeadBegin{layer_, bead_}, {layer_, bead_, -1});
+    }
+    move(point, origin, point.arc != arcAfter);
+    if (!arcOn_ && arcAfter) {
+      if (wireSpeed_ != next->wireSpeed) {
+        wireSpeed_ = next->wireSpeed;
+        put(SetProcess{wireSpeed_}, origin);
+      }
+      put(ArcOn{arc_.job}, origin);
+      arcOn_ = true;
+    } else if (arcOn_ && !arcAfter) {
+      put(ArcOff{arc_.craterTime}, origin);
+      arcOn_ = false;
+      endBead();
+    }
+  }
+
+  void finish() {
+    endBead();
+    endLayer();
+  }
+
+private:
+  void put(Action action, const Origin& origin) {
+    program_.instructions.push_back({std::move(action), origin});
+  }
+
+  void endBead() {
+    if (bead_ >= 0) {
+      put(BeadEnd{layer_, bead_}, {layer_, bead_, -1});
+      bead_ = -1;
+    }
+  }
+
+  void endLayer() {
+    if (layer_ >= 0) {
+      put(LayerEnd{layer_}, {layer_, -1, -1});
+      layer_ = -1;
+    }
+  }
+
+  void move(const motion::Waypoint& point, const Origin& origin, bool stop) {
+    Target target;
+    target.joints = point.joints;
+    const Pose T_base_table = cell::T_base_table(cell_, point.joints);
+    target.T_base_tcp = cell::T_base_tcp(cell_, point.joints);
+    target.T_table_tcp = T_base_table.inverse() * target.T_base_tcp;
+    if (point.kind == motion::MoveKind::Joint) {
+      put(MoveJoint{target, arc_.jointSpeedRatio, stop}, origin);
+    } else {
+      put(MoveLinear{target, point.speed, stop}, origin);
+    }
+  }
+
+  Program& program_;
+  const cell::Cell& cell_;
+  ArcSettings arc_;
+  int layer_ = -1;
+  int bead_ = -1;
+  bool arcOn_ = false;
+  double wireSpeed_ = -1.0;
+};
+
+}  // namespace
+
+Program programFromMotion(const motion::Motion& motion,
+                          const cell::Cell& cell,
+                          const ArcSettings& arc,
+                          const std::string& operation,
+                          const std::string& projectName,
+                          const JobContext& context) {
+  Program program;
+  program.name = operation;
+  program.projectName = projectName;
+  program.cell = factsOf(cell);
+  Builder builder(program, cell, arc);
+  constexpr std::size_t kCheckEvery = 4096;
+  for (std::size_t i = 0; i < motion.waypoints.size(); ++i) {
+    if (i % kCheckEvery == 0) {
+      context.check();
+    }
+    builder.add(motion.waypoints[i],
+                i + 1 < motion.waypoints.size() ? &motion.waypoints[i + 1] : nullptr);
+  }
+  builder.finish();
+  return program;
+}
+
+}  // namespace wcam::program
