@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/cell/cell.hpp"
+
+#include "wcam/base/error.hpp"
+
+namespace wcam::cell {
+
+const Joint& Cell::joint(int index) const {
+  WCAM_ASSERT(index >= 0 && index < jointCount());
+  return index < robotJoints()
+             ? robot.joints[static_cast<std::size_t>(index)]
+             : positioner.joints[static_cast<std::size_t>(index - robotJoints())];
+}
+
+Vec3 Cell::verticalInBase() const {
+  return T_world_base.linear().row(2).transpose();
+}
+
+void prepareArm(Cell& cell) {
+  cell.arm.reset();
+  cell.armProblem.clear();
+  try {
+    cell.arm = reduceArm(cell.robot);
+  } catch (const Error& error) {
+    cell.armProblem = error.message() + "; " + error.hint();
+  }
+}
+
+}  // namespace wcam::cell
