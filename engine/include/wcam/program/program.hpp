@@ -29,6 +29,8 @@ struct Target {
   Pose T_base_tcp = Pose::Identity();   ///< in the robot base frame
   Pose T_table_tcp = Pose::Identity();  ///< in the positioner's table frame (torch carried), else
                                         ///< in the base frame
+  /// Robot configuration as in CellFacts::configuration; empty: that of the target before.
+  std::string configuration = {};
 };
 
 struct MoveJoint {
@@ -119,7 +121,10 @@ struct CellFacts {
   int positionerJoints = 0;
   bool partCarried = false;
   std::vector<std::string> jointNames;
-  std::vector<bool> linearJoint;  ///< per joint: mm instead of rad
+  std::vector<bool> linearJoint;  ///< per joint: mm instead of rad; empty: all are rotations
+  /// Greatest speed of each joint, rad/s or mm/s; empty when not known. Needed by languages that
+  /// give the speed of a joint move per axis.
+  std::vector<double> jointSpeeds = {};
   Pose T_flange_tcp = Pose::Identity();
   Pose T_base_positioner = Pose::Identity();
   /// Robot configuration at the first move, per FANUC ("NUT": no-flip/flip, up/down, toward/back).

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wcam::program {
+
+/// A name that a robot controller accepts: letters, digits and '_', beginning with a letter, upper
+/// case, at most `maxLength` characters (at least 6). Foreign characters become '_'. A longer name
+/// ends in '_' and three characters of its hash, so that names that begin alike stay different.
+/// @param fallback used when nothing of the text is left
+std::string controllerName(std::string_view text,
+                           std::size_t maxLength,
+                           std::string_view fallback = "PROGRAM");
+
+/// Names of a main program and its numbered parts, all different: the main name, then
+/// <name>_1, <name>_2, … with numbers of equal width.
+/// @throws Error(InvalidArgument) when maxLength leaves no room for the numbers
+std::vector<std::string> partNames(std::string_view text, std::size_t parts, std::size_t maxLength);
+
+/// ASCII text for comments: other characters become '?', control characters blanks.
+std::string asciiComment(std::string_view text);
+/// Cut into pieces of at most `width` characters, at blanks where possible.
+std::vector<std::string> wrapComment(std::string_view text, std::size_t width);
+
+}  // namespace wcam::program

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/program/names.hpp"
+
+#include "wcam/base/error.hpp"
+#include "wcam/base/sha256.hpp"
+#include "wcam/base/text.hpp"
+
+#include <cstdint>
+
+namespace wcam::program {
+
+namespace {
+
+bool isLetter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+char upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+bool continuesUtf8(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+constexpr std::size_t kHashLength = 3;
+/// Two characters of the name, a mark and the hash.
+constexpr std::size_t kShortestName = kHashLength + 3;
+
+/// Three characters 0-9 A-Z that depend on the whole text.
+std::string hashText(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  // 12 hexadecimal digits are far more than 36^3 and fit 64 bits.
+  std::uint64_t number = std::stoull(sha256Hex(text).substr(0, 12), nullptr, 16);
+  std::string result;
+  for (std::size_t i = 0; i < kHashLength; ++i) {
+    result += kDigits[number % kDigits.size()];
+    number /= kDigits.size();
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string controllerName(std::string_view text,
+                           std::size_t maxLength,
+                           std::string_view fallback) {
+  WCAM_ASSERT(maxLength >= kShortestName);
+  std::string name;
+  for (const char c : text) {
+    if (continuesUtf8(c)) {
+      continue;
+    }
+    if (name.empty() && !isLetter(c)) {
+      // A leading digit is worth keeping behind a letter; leading marks are not.
+      name += isDigit(c) ? std::string("P") + c : std::string();
+      continue;
+    }
+    name += isLetter(c) ? upper(c) : (isDigit(c) ? c : '_');
+  }
+  while (name.ends_with('_')) {
+    name.pop_back();
+  }
+  if (name.empty()) {
+    name = fallback;
+  }
+  if (name.size() > maxLength) {
+    name = name.substr(0, maxLength - kHashLength - 1) + '_' + hashText(text);
+  }
+  return name;
+}
+
+std::vector<std::string> partNames(std::string_view text,
+                                   std::size_t parts,
+                                   std::size_t maxLength) {
+  const std::size_t width = std::to_string(parts).size();
+  if (maxLength < kShortestName + width + 1) {
+    throw Error(ErrorCode::InvalidArgument,
+                "names of " + std::to_string(maxLength) + " characters have no room for " +
+                    std::to_string(parts) + " numbered programs",
+                {}, "allow longer names or more points per program");
+  }
+  const std::string main = controllerName(text, maxLength);
+  const std::string stem = controllerName(text, maxLength - width - 1);
+  // Where the main name itself ends in a number, another mark keeps the parts apart from it.
+  const std::string mark = main.starts_with(stem + "_") ? "P" : "_";
+  std::vector<std::string> names{main};
+  for (std::size_t i = 1; i <= parts; ++i) {
+    const std::string number = std::to_string(i);
+    names.push_back(stem + mark + std::string(width - number.size(), '0') + number);
+  }
+  return names;
+}
+
+std::string asciiComment(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x80) {
+      result += code < 0x20 || code == 0x7F ? ' ' : c;
+    } else if (!continuesUtf8(c)) {
+      result += '?';
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> wrapComment(std::string_view text, std::size_t width) {
+  const std::string ascii = asciiComment(text);
+  std::string_view rest = trimText(ascii);
+  std::vector<std::string> lines;
+  while (rest.size() > width) {
+    std::size_t cut = rest.rfind(' ', width);
+    cut = cut == std::string_view::npos || cut == 0 ? width : cut;
+    lines.emplace_back(trimText(rest.substr(0, cut)));
+    rest = trimText(rest.substr(cut));
+  }
+  if (!rest.empty() || lines.empty()) {
+    lines.emplace_back(rest);
+  }
+  return lines;
+}
+
+}  // namespace wcam::program
