@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "file_format.hpp"
+
+#include "wcam/base/error.hpp"
+#include "wcam/base/file_io.hpp"
+#include "wcam/base/text.hpp"
+#include "wcam/io/import.hpp"
+
+#include "stl_parser.hpp"
+#include "text_scanner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+namespace wcam::io {
+
+namespace {
+
+struct Extension {
+  const char* text;
+  FileFormat format;
+};
+
+constexpr std::array<Extension, 13> kExtensions{{{".step", FileFormat::Step},
+                                                 {".stp", FileFormat::Step},
+                                                 {".p21", FileFormat::Step},
+                                                 {".iges", FileFormat::Iges},
+                                                 {".igs", FileFormat::Iges},
+                                                 {".brep", FileFormat::BrepText},
+                                                 {".brp", FileFormat::BrepText},
+                                                 {".rle", FileFormat::BrepText},
+                                                 {".bbrep", FileFormat::BrepBinary},
+                                                 {".stl", FileFormat::Stl},
+                                                 {".obj", FileFormat::Obj},
+                                                 {".ply", FileFormat::Ply},
+                                                 {".3mf", FileFormat::ThreeMf}}};
+
+/// Signatures stand within this distance of the start, after blanks or a comment.
+constexpr std::size_t kHeadSize = 512;
+
+std::optional<FileFormat> byExtension(const std::filesystem::path& file) {
+  const std::string extension = pathText(file.extension());
+  for (const Extension& known : kExtensions) {
+    if (equalNoCase(extension, known.text)) {
+      return known.format;
+    }
+  }
+  return std::nullopt;
+}
+
+/// First line of an IGES file: column 73 is 'S' (start section) and 74-80 the number 1.
+bool looksLikeIges(std::string_view bytes) {
+  return bytes.size() >= 80 && bytes.substr(0, 80).find('\n') == std::string_view::npos &&
+         bytes[72] == 'S' && trimText(bytes.substr(73, 7)).find_first_not_of('0') == 0 &&
+         trimText(bytes.substr(73, 7)).back() == '1';
+}
+
+std::optional<FileFormat> byContent(std::string_view bytes) {
+  const std::string_view head = bytes.substr(0, std::min(bytes.size(), kHeadSize));
+  const auto has = [&](std::string_view text) { return head.find(text) != std::string_view::npos; };
+  if (head.starts_with("PK\x03\x04")) {
+    return FileFormat::ThreeMf;
+  }
+  if (head.starts_with("ply\n") || head.starts_with("ply\r")) {
+    return FileFormat::Ply;
+  }
+  if (has("ISO-10303-21")) {
+    return FileFormat::Step;
+  }
+  if (head.find("Open CASCADE Topology V") <= 1) {
+    return FileFormat::BrepBinary;
+  }
+  if (head.starts_with("DBRep_DrawableShape") || has("CASCADE Topology V")) {
+    return FileFormat::BrepText;
+  }
+  if (looksLikeIges(bytes)) {
+    return FileFormat::Iges;
+  }
+  if (looksLikeStl(bytes)) {
+    return FileFormat::Stl;
+  }
+  return std::nullopt;
+}
+
+/// Formats that byContent() always knows when the file is what its extension says.
+bool hasSignature(FileFormat format) {
+  return format != FileFormat::Stl && format != FileFormat::Obj;
+}
+
+}  // namespace
+
+const char* toString(FileFormat format) noexcept {
+  switch (format) {
+    case FileFormat::Step:
+      return "STEP";
+    case FileFormat::Iges:
+      return "IGES";
+    case FileFormat::BrepText:
+    case FileFormat::BrepBinary:
+      return "BREP";
+    case FileFormat::Stl:
+      return "STL";
+    case FileFormat::Obj:
+      return "OBJ";
+    case FileFormat::Ply:
+      return "PLY";
+    case FileFormat::ThreeMf:
+      return "3MF";
+  }
+  return "";
+}
+
+FileFormat detectFormat(const std::filesystem::path& file, std::string_view bytes) {
+  const std::optional<FileFormat> extension = byExtension(file);
+  const std::optional<FileFormat> content = byContent(bytes);
+  if (content) {
+    return *content;
+  }
+  if (!extension) {
+    throw Error(ErrorCode::InputInvalid, "the format of the file is not known", pathText(file),
+                "parts can be read from STEP, IGES, BREP, STL, OBJ, PLY and 3MF files");
+  }
+  if (hasSignature(*extension)) {
+    throw Error(
+        ErrorCode::InputInvalid,
+        std::string("is not a ") + toString(*extension) + " file: it does not start like one",
+        pathText(file), "the file is damaged or has the wrong extension");
+  }
+  return *extension;
+}
+
+const std::vector<std::string>& importExtensions() {
+  static const std::vector<std::string> extensions = [] {
+    std::vector<std::string> list;
+    for (const Extension& known : kExtensions) {
+      list.emplace_back(known.text);
+    }
+    return list;
+  }();
+  return extensions;
+}
+
+}  // namespace wcam::io

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stl_parser.hpp"
+
+#include "wcam/base/error.hpp"
+
+#include "mesh_order.hpp"
+#include "text_scanner.hpp"
+#include "weld.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+namespace wcam::io {
+
+namespace {
+
+constexpr std::size_t kHeaderSize = 84;
+constexpr std::size_t kFacetSize = 50;
+constexpr std::size_t kNormalSize = 12;
+/// Triangles between two looks at the cancel request.
+constexpr std::size_t kCheckInterval = 65536;
+/// Triangles whose table slots are fetched ahead of their use.
+constexpr std::size_t kBatch = 16;
+
+[[noreturn]] void notFinite(const std::string& file, std::size_t triangle) {
+  throw Error(ErrorCode::InputInvalid,
+              "triangle " + std::to_string(triangle) + " has a coordinate that is not a number",
+              file, "export the part again; triangles are counted from 0");
+}
+
+std::uint64_t declaredTriangles(std::string_view bytes) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + kHeaderSize - sizeof(count), sizeof(count));
+  return count;
+}
+
+std::uint64_t declaredSize(std::string_view bytes) {
+  return kHeaderSize + kFacetSize * declaredTriangles(bytes);
+}
+
+bool startsLikeAscii(std::string_view bytes) {
+  TextScanner scanner(bytes.substr(0, std::min<std::size_t>(bytes.size(), 4096)));
+  if (!equalNoCase(scanner.word(), "solid")) {
+    return false;
+  }
+  scanner.skipLine();
+  const std::string_view next = scanner.word();
+  return equalNoCase(next, "facet") || equalNoCase(next, "endsolid") || next.empty();
+}
+
+using FloatWelder = PointWelder<float>;
+
+struct Corners {
+  std::array<FloatWelder::Point, 3> point;
+  std::array<std::uint32_t, 3> tag;
+};
+
+/// Corners of one facet. Summing the products with 0 finds NaN and infinity without a branch each.
+bool loadCorners(const char* facet, const FloatWelder& welder, Corners& corners) {
+  std::memcpy(&corners.point, facet + kNormalSize, sizeof(corners.point));
+  float check = 0.0F;
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (const float x : corners.point[c]) {
+      check += x * 0.0F;
+    }
+    corners.tag[c] = FloatWelder::tagOf(corners.point[c]);
+    welder.prefetch(corners.tag[c]);
+  }
+  return check == 0.0F;
+}
+
+geometry::TriangleMesh toMesh(const std::vector<FloatWelder::Point>& points,
+                              std::vector<std::array<std::uint32_t, 3>> triangles) {
+  geometry::TriangleMesh mesh;
+  mesh.vertices.reserve(points.size());
+  for (const auto& p : points) {
+    mesh.vertices.emplace_back(p[0], p[1], p[2]);
+  }
+  mesh.triangles = std::move(triangles);
+  return mesh;
+}
+
+ParsedMesh parseBinary(std::string_view bytes, const std::string& file, const JobContext& context) {
+  const std::size_t count = declaredTriangles(bytes);
+  FloatWelder welder(count / 2 + 2);
+  std::vector<std::array<std::uint32_t, 3>> triangles(count);
+  std::array<Corners, kBatch> batch;
+  for (std::size_t begin = 0; begin < count; begin += kBatch) {
+    if (begin % kCheckInterval == 0) {
+      context.check();
+      context.report(static_cast<double>(begin) / static_cast<double>(count));
+    }
+    const std::size_t size = std::min(kBatch, count - begin);
+    for (std::size_t k = 0; k < size; ++k) {
+      if (!loadCorners(bytes.data() + kHeaderSize + kFacetSize * (begin + k), welder, batch[k])) {
+        notFinite(file, begin + k);
+      }
+    }
+    for (std::size_t k = 0; k < size; ++k) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        triangles[begin + k][c] = welder.add(batch[k].point[c], batch[k].tag[c]);
+      }
+    }
+  }
+  ParsedMesh result;
+  result.mesh = toMesh(welder.points(), std::move(triangles));
+  result.weldedPoints = 3 * count - result.mesh.vertices.size();
+  result.trailingBytes = bytes.size() - declaredSize(bytes);
+  return result;
+}
+
+/// Reads "facet … endfacet" blocks; words in any case, anything between blocks that is not a facet
+/// is skipped.
+class AsciiParser {
+public:
+  AsciiParser(std::string_view bytes, const std::string& file, const JobContext& context)
+      : scanner_(bytes), file_(file), context_(context), welder_(bytes.size() / 512) {}
+
+  ParsedMesh parse() {
+    ParsedMesh result;
+    bool ended = false;
+    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) {
+      if (equalNoCase(word, "facet")) {
+        facet();
+        ended = false;
+      } else if (equalNoCase(word, "solid")) {
+        const std::string_view name = scanner_.restOfLine();
+        if (result.name.empty()) {
+          result.name = name;
+        }
+      } else if (equalNoCase(word, "endsolid")) {
+        scanner_.skipLine();
+        ended = true;
+      } else {
+        fail("'" + std::string(word.substr(0, 20)) + "' is not part of an STL file");
+      }
+    }
+    result.endMissing = !ended;
+    for (const auto& p : welder_.points()) {
+      result.mesh.vertices.emplace_back(p[0], p[1], p[2]);
+    }
+    result.weldedPoints = 3 * triangles_.size() - result.mesh.vertices.size();
+    result.mesh.triangles = std::move(triangles_);
+    return result;
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Error(ErrorCode::InputInvalid, "line " + std::to_string(scanner_.line()) + ": " + what,
+                file_, "the file is damaged or cut off; export it again");
+  }
+
+  void facet() {
+    if (triangles_.size() % kCheckInterval == 0) {
+      context_.check();
+      context_.report(scanner_.fractionDone());
+    }
+    std::array<std::uint32_t, 3> triangle{};
+    std::size_t corners = 0;
+    for (std::string_view word = scanner_.word();; word = scanner_.word()) {
+      if (equalNoCase(word, "vertex")) {
+        if (corners == 3) {
+          fail("a facet has more than three vertices");
+        }
+        triangle[corners++] = welder_.add(point());
+      } else if (equalNoCase(word, "endfacet")) {
+        break;
+      } else if (equalNoCase(word, "normal")) {
+        scanner_.skipLine();  // recomputed from the vertices; some writers put nan here
+      } else if (word.empty()) {
+        fail("the file ends inside facet " + std::to_string(triangles_.size()));
+      } else if (!equalNoCase(word, "outer") && !equalNoCase(word, "loop") &&
+                 !equalNoCase(word, "endloop")) {
+        fail("'" + std::string(word.substr(0, 20)) + "' is not part of a facet");
+      }
+    }
+    if (corners != 3) {
+      fail("a facet has " + std::to_string(corners) + " vertices instead of three");
+    }
+    triangles_.push_back(triangle);
+  }
+
+  PointWelder<double>::Point point() {
+    PointWelder<double>::Point p{};
+    for (double& x : p) {
+      const std::string_view word = scanner_.word();
+      const std::optional<double> number = scanNumber(word);
+      if (!number) {
+        fail("'" + std::string(word.substr(0, 20)) + "' is not a number");
+      }
+      if (!std::isfinite(*number)) {
+        notFinite(file_, triangles_.size());
+      }
+      x = *number;
+    }
+    return p;
+  }
+
+  TextScanner scanner_;
+  const std::string& file_;
+  const JobContext& context_;
+  PointWelder<double> welder_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
+}  // namespace
+
+bool looksLikeStl(std::string_view bytes) {
+  const bool binary = bytes.size() > kHeaderSize && declaredTriangles(bytes) > 0 &&
+                      declaredSize(bytes) == bytes.size();
+  return binary || startsLikeAscii(bytes);
+}
+
+ParsedMesh parseStl(std::string_view bytes, const std::string& file, const JobContext& context) {
+  const bool sizeFits = bytes.size() >= kHeaderSize && declaredSize(bytes) == bytes.size();
+  if (!sizeFits && startsLikeAscii(bytes)) {
+    ParsedMesh result = AsciiParser(bytes, file, context.portion(0.0, 0.8)).parse();
+    sortForLocality(result.mesh);
+    return result;
+  }
+  if (bytes.size() < kHeaderSize) {
+    throw Error(ErrorCode::InputInvalid,
+                "is too short for an STL file (" + std::to_string(bytes.size()) + " bytes)", file,
+                "export the part again");
+  }
+  const std::uint64_t count = declaredTriangles(bytes);
+  if (declaredSize(bytes) > bytes.size()) {
+    throw Error(ErrorCode::InputInvalid,
+                "the header tells " + std::to_string(count) + " triangles (" +
+                    std::to_string(declaredSize(bytes)) + " bytes), the file has only " +
+                    std::to_string(bytes.size()) + " bytes",
+                file, "the file is cut off or is not an STL file; export it again");
+  }
+  if (count >= geometry::HalfEdges::kNone / 3) {
+    throw Error(ErrorCode::InputInvalid,
+                "has " + std::to_string(count) + " triangles, more than can be handled", file,
+                "export the part with a larger tolerance");
+  }
+  ParsedMesh result = parseBinary(bytes, file, context.portion(0.0, 0.8));
+  sortForLocality(result.mesh);
+  return result;
+}
+
+}  // namespace wcam::io
