@@ -48,8 +48,9 @@ std::vector<Entry> sortedEntries(const TriangleMesh& mesh,
   std::vector<Entry> entries(3 * mesh.triangles.size());
   std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1);
   for (std::uint32_t h = 0; h < entries.size(); ++h) {
-    const auto [lower, upper] = std::minmax(startOf(mesh, h), endOf(mesh, h));
-    entries[fill[lower]++] = {upper, h};
+    const std::uint32_t a = startOf(mesh, h);
+    const std::uint32_t b = endOf(mesh, h);
+    entries[fill[std::min(a, b)]++] = {std::max(a, b), h};
   }
   for (std::size_t v = 0; v + 1 < offset.size(); ++v) {
     std::sort(entries.begin() + offset[v], entries.begin() + offset[v + 1],

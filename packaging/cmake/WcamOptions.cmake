@@ -25,7 +25,7 @@ add_library(wcam_options INTERFACE)
 target_compile_options(wcam_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False positives of GCC 12 inside Eigen and libstdc++ at -O2 and above.
-  target_compile_options(wcam_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow)
+  target_compile_options(wcam_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict)
 endif()
 if(WCAM_SANITIZE)
   target_compile_options(wcam_options INTERFACE -fsanitize=${WCAM_SANITIZE} -fno-omit-frame-pointer)

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/geometry/guide_curve.hpp"
+
+#include "wcam/base/error.hpp"
+#include "wcam/base/quantity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+namespace wcam::geometry {
+namespace {
+
+/// Quarter circle of radius 50 about (−50, 0, 0), from the origin along +z (Chalvin P4).
+std::shared_ptr<const GuideCurve> quarterCircle() {
+  return guideFromFormula({"50*cos(t)-50", "0", "50*sin(t)"}, 0.0, kPi / 2.0);
+}
+
+TEST(GuideCurve, FormulaHasExactPositionAndDerivatives) {
+  const auto guide = quarterCircle();
+  for (const double t : {0.0, 0.3, 1.0, kPi / 2.0}) {
+    const CurvePoint c = guide->evaluate(t);
+    EXPECT_NEAR((c.p - Vec3(50 * std::cos(t) - 50, 0, 50 * std::sin(t))).norm(), 0.0, 1e-12);
+    EXPECT_NEAR((c.d1 - Vec3(-50 * std::sin(t), 0, 50 * std::cos(t))).norm(), 0.0, 1e-8);
+    EXPECT_NEAR((c.d2 - Vec3(-50 * std::cos(t), 0, -50 * std::sin(t))).norm(), 0.0, 1e-5);
+  }
+}
+
+TEST(GuideCurve, ChordStepsOfTheQuarterTorus) {
+  // Chalvin AT-06: u step 0.100042 rad, 15 whole steps in a quarter turn.
+  const auto guide = quarterCircle();
+  const std::vector<double> t = chordSteps(*guide, 5.0, 0.0);
+  ASSERT_EQ(t.size(), 16U);
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    EXPECT_NEAR(t[i] - t[i - 1], std::acos(1.0 - 25.0 / 5000.0), 1e-12);
+    EXPECT_NEAR(t[i] - t[i - 1], 0.100042, 5e-7);
+  }
+}
+
+TEST(GuideCurve, GeneralTubeOfChalvinP6) {
+  const auto guide = guideFromFormula({"(0.005*t^3-0.22*t^2)/6", "0.02*t^2", "t"}, 0.0, 40.0);
+  EXPECT_NEAR((guide->evaluate(40.0).p - Vec3(-5.33333, 32, 40)).norm(), 0.0, 1e-4);
+  EXPECT_NEAR(arcLength(*guide, 0.0, 40.0), 56.154, 1e-3);
+  const CurvePoint c = guide->evaluate(0.0);
+  EXPECT_NEAR(c.d1.cross(c.d2).norm() / std::pow(c.d1.norm(), 3), std::hypot(0.44 / 6, 0.04), 1e-7);
+}
+
+TEST(GuideCurve, FrenetFrameIsDirectAndTellsStraightLines) {
+  bool valid = false;
+  const CurveFrame frame = frenetFrame(quarterCircle()->evaluate(0.7), &valid);
+  EXPECT_TRUE(valid);
+  EXPECT_NEAR((frame.normal.cross(frame.binormal) - frame.tangent).norm(), 0.0, 1e-12);
+  // The normal points to the centre of curvature.
+  EXPECT_NEAR((frame.normal - Vec3(-std::cos(0.7), 0, -std::sin(0.7))).norm(), 0.0, 1e-6);
+  const CurveFrame straight =
+      frenetFrame(guideFromPoints({{0, 0, 0}, {0, 0, 9}})->evaluate(2.0), &valid);
+  EXPECT_FALSE(valid);
+  EXPECT_NEAR(straight.tangent.dot(straight.normal), 0.0, 1e-12);
+}
+
+TEST(GuideCurve, RotationMinimisingFramesDoNotTurnAboutTheTangent) {
+  const auto helix = guideFromFormula({"10*cos(t)", "10*sin(t)", "3*t"}, 0.0, 12.0);
+  std::vector<double> t;
+  for (int i = 0; i <= 600; ++i) {
+    t.push_back(12.0 * i / 600);
+  }
+  const auto frames = rotationMinimisingFrames(*helix, t, Vec3::UnitX());
+  double turn = 0.0;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    EXPECT_NEAR(frames[i].tangent.dot(frames[i].normal), 0.0, 1e-12);
+    const Vec3 change = frames[i].normal - frames[i - 1].normal;
+    turn =
+        std::max(turn, std::abs(change.dot(0.5 * (frames[i].binormal + frames[i - 1].binormal))));
+  }
+  EXPECT_LT(turn, 1e-6);
+}
+
+TEST(GuideCurve, SplineThroughPointsIsExactAtThemAndSmooth) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 20; ++i) {
+    const double u = kPi / 2.0 * i / 20;
+    points.emplace_back(50 * std::cos(u) - 50, 0, 50 * std::sin(u));
+  }
+  const auto guide = guideFromPoints(points);
+  double s = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    s += i > 0 ? (points[i] - points[i - 1]).norm() : 0.0;
+    EXPECT_NEAR((guide->evaluate(s).p - points[i]).norm(), 0.0, 1e-12);
+  }
+  for (int i = 0; i <= 200; ++i) {
+    const Vec3 p = guide->evaluate(guide->end() * i / 200).p;
+    EXPECT_NEAR((p - Vec3(-50, 0, 0)).norm(), 50.0, 1e-4);
+  }
+}
+
+TEST(GuideCurve, BadInputNamesThePlace) {
+  const auto messageOf = [](const auto& make) {
+    try {
+      make();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(messageOf([] {
+              guideFromFormula({"50*cos(t", "0", "t"}, 0, 1);
+            }).find("x(t)"),
+            std::string::npos);
+  EXPECT_NE(messageOf([] {
+              guideFromFormula({"t", "foo(t)", "t"}, 0, 1);
+            }).find("y(t)"),
+            std::string::npos);
+  EXPECT_NE(messageOf([] {
+              guideFromFormula({"1/t", "0", "t"}, 0, 1);
+            }).find("finite"),
+            std::string::npos);
+  EXPECT_NE(messageOf([] {
+              guideFromFormula({"t", "0", "t"}, 1, 1);
+            }).find("ascend"),
+            std::string::npos);
+  EXPECT_NE(messageOf([] { guideFromPoints({{0, 0, 0}}); }).find("two points"), std::string::npos);
+  EXPECT_NE(messageOf([] {
+              guideFromPoints({{0, 0, 0}, {0, 0, 0}});
+            }).find("point 2"),
+            std::string::npos);
+  const std::string file = ::testing::TempDir() + "guide.csv";
+  std::ofstream(file) << "x,y,z\n0,0,0\n1;2;3\n4 5\n";
+  EXPECT_NE(messageOf([&] { guideFromFile(file); }).find("line 4"), std::string::npos);
+  std::ofstream(file) << "# guide\nx,y,z\n0,0,0\n1;2;3\n\n4\t5 6\n";
+  EXPECT_NEAR((guideFromFile(file)->evaluate(0.0).p).norm(), 0.0, 1e-15);
+  std::remove(file.c_str());
+  EXPECT_NE(messageOf([&] { guideFromFile(file); }).find("does not exist"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace wcam::geometry
