@@ -28,7 +28,8 @@ JobContext::JobContext(std::stop_token stop, ProgressFunction progress)
 JobContext JobContext::portion(double begin, double end, std::string label) const {
   JobContext part(*this);
   const double width = end_ - begin_;
-  part.begin_ = begin_ + std::clamp(begin, 0.0, 1.0) * width;
+  begin = std::clamp(begin, 0.0, 1.0);
+  part.begin_ = begin_ + begin * width;
   part.end_ = begin_ + std::clamp(end, begin, 1.0) * width;
   if (!label.empty()) {
     part.label_ = std::move(label);

@@ -74,6 +74,9 @@ std::string readFile(const std::filesystem::path& file) {
       content.resize(done + 65536);
     }
     const ssize_t got = ::read(fd.get(), content.data() + done, content.size() - done);
+    if (got < 0 && errno == EINTR) {
+      continue;
+    }
     if (got < 0) {
       throw Error(ErrorCode::InputInvalid, "cannot be read: " + causeOf(errno), pathText(file));
     }
@@ -85,8 +88,18 @@ std::string readFile(const std::filesystem::path& file) {
   }
 }
 
-void writeFileAtomically(const std::filesystem::path& file, std::string_view content) {
-  std::string temporary = file.native() + ".XXXXXX";
+void writeFileAtomically(const std::filesystem::path& named, std::string_view content) {
+  // A link keeps pointing to the file that it points to.
+  std::error_code unresolved;
+  const std::filesystem::path file =
+      std::filesystem::is_symlink(std::filesystem::symlink_status(named, unresolved))
+          ? std::filesystem::weakly_canonical(named, unresolved)
+          : named;
+  if (file.empty()) {
+    cannotWrite(named, unresolved.value());
+  }
+  // Short, so that it fits where the file's own name is of the longest kind.
+  std::string temporary = (file.parent_path() / ".wcam-XXXXXX").native();
   const int rawFd = ::mkostemp(temporary.data(), O_CLOEXEC);
   if (rawFd < 0) {
     cannotWrite(file, errno);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace wcam {
 
@@ -18,11 +19,50 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 200;
 
+/// Iterator over the text that tells how far the parser has read, so that errors of meaning (a key
+/// twice, too deep nesting) can name their line.
+class TrackedIterator {
+public:
+  using iterator_category = std::forward_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  TrackedIterator(const char* at, const char** reached) : at_(at), reached_(reached) {}
+
+  reference operator*() const { return *at_; }
+
+  TrackedIterator& operator++() {
+    *reached_ = ++at_;
+    return *this;
+  }
+
+  TrackedIterator operator++(int) {
+    TrackedIterator before(*this);
+    ++*this;
+    return before;
+  }
+
+  friend bool operator==(const TrackedIterator& a, const TrackedIterator& b) {
+    return a.at_ == b.at_;
+  }
+
+private:
+  const char* at_;
+  const char** reached_;
+};
+
 /// Builds a Value from the parser's events; no recursion, so that deep nesting cannot exhaust the
 /// stack.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
 public:
-  explicit Builder(std::string context) : context_(std::move(context)) {}
+  Builder(std::string_view text, std::string context)
+      : text_(text), reached_(text.data()), context_(std::move(context)) {}
+
+  TrackedIterator begin() { return {text_.data(), &reached_}; }
+
+  TrackedIterator end() { return {text_.data() + text_.size(), &reached_}; }
 
   bool null() override { return put(Value()); }
 
@@ -41,7 +81,7 @@ public:
 
   bool number_float(number_float_t v, const string_t&) override {
     if (!std::isfinite(v)) {
-      throw Error(ErrorCode::InputInvalid, "a number is too large", context_);
+      fail("a number is too large");
     }
     return put(Value(v));
   }
@@ -60,8 +100,7 @@ public:
 
   bool key(string_t& v) override {
     if (stack_.back().value.contains(v)) {
-      throw Error(ErrorCode::InputInvalid, "the key '" + v + "' stands twice in one object",
-                  context_);
+      fail("the key '" + v + "' stands twice in one object");
     }
     stack_.back().key = std::move(v);
     return true;
@@ -72,6 +111,9 @@ public:
     std::string message = e.what();
     if (const std::size_t end = message.find("] "); end != std::string::npos) {
       message.erase(0, end + 2);
+    }
+    if (message.find(" at line ") == std::string::npos) {
+      fail(message);
     }
     throw Error(ErrorCode::InputInvalid, message, context_, "the file must be UTF-8 JSON");
   }
@@ -84,9 +126,17 @@ private:
     std::string key;
   };
 
+  [[noreturn]] void fail(const std::string& message) const {
+    // The parser has read one character past the token, or is right behind it.
+    const std::string_view done(text_.data(), static_cast<std::size_t>(reached_ - text_.data()));
+    const auto line = 1 + std::count(done.begin(), done.end() - (done.empty() ? 0 : 1), '\n');
+    throw Error(ErrorCode::InputInvalid, "line " + std::to_string(line) + ": " + message, context_,
+                "the file must be UTF-8 JSON");
+  }
+
   bool open(Value container) {
     if (stack_.size() >= kMaxDepth) {
-      throw Error(ErrorCode::InputInvalid, "nested deeper than 200 levels", context_);
+      fail("nested deeper than 200 levels");
     }
     stack_.push_back({std::move(container), {}});
     return true;
@@ -110,6 +160,8 @@ private:
     return true;
   }
 
+  std::string_view text_;
+  const char* reached_;
   std::string context_;
   std::vector<Level> stack_;
   Value result_;
@@ -189,8 +241,15 @@ Value parseJson(std::string_view text, const std::string& context) {
     throw Error(ErrorCode::InputInvalid, "the file is empty", context,
                 "the file must be UTF-8 JSON");
   }
-  Builder builder(context);
-  if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) {
+  // The parser takes a zero byte for the end, and would drop what follows.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+    throw Error(ErrorCode::InputInvalid, "line " + std::to_string(line) + ": a zero byte", context,
+                "the file must be UTF-8 JSON");
+  }
+  Builder builder(text, context);
+  if (!nlohmann::json::sax_parse(builder.begin(), builder.end(), &builder)) {
     throw Error(ErrorCode::InputInvalid, "not JSON", context);
   }
   return builder.take();

@@ -266,7 +266,11 @@ bool ParamSchema::enabled(const ParamDef& def, const Value& completed) {
     const bool negated = equal != std::string_view::npos && equal > 0 && term[equal - 1] == '!';
     const std::string_view key = trimText(term.substr(0, negated ? equal - 1 : equal));
     const Value* value = completed.find(key);
-    WCAM_ASSERT(equal != std::string_view::npos && value != nullptr);
+    if (equal == std::string_view::npos || value == nullptr) {
+      throw Error(ErrorCode::Internal,
+                  "the condition '" + def.info.enabledIf + "' names no declared parameter",
+                  "parameter " + def.info.key, "correct the declaration of the component");
+    }
     if (sameText(*value, trimText(term.substr(equal + 1))) == negated) {
       return false;
     }

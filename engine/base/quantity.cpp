@@ -138,7 +138,7 @@ double toFileNumber(QuantityKind kind, double value) noexcept {
 double parseQuantity(std::string_view text, QuantityKind kind) {
   const std::string_view trimmed = trimText(text);
   std::string_view digits = trimmed;
-  if (!digits.empty() && digits.front() == '+') {
+  if (digits.starts_with('+') && !digits.starts_with("+-")) {
     digits.remove_prefix(1);
   }
   double number = 0.0;

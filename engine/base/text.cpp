@@ -42,7 +42,7 @@ std::string joinText(const std::vector<std::string>& parts, std::string_view sep
 
 std::optional<double> parseReal(std::string_view text) noexcept {
   text = trimText(text);
-  if (!text.empty() && text.front() == '+') {
+  if (text.starts_with('+') && !text.starts_with("+-")) {
     text.remove_prefix(1);
   }
   double number = 0.0;

@@ -11,9 +11,9 @@
 namespace wcam::project {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 Command make(const char* id, const char* args) {
   return {id, parseJson(args)};

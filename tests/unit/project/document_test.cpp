@@ -12,10 +12,10 @@
 namespace wcam::project {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::string problemsOf(Value tree) {
   return errorOf(ErrorCode::ProjectInvalid,

@@ -10,9 +10,9 @@
 namespace wcam::project {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 Command rename(const std::string& name) {
   return {"project.rename", Value::object({{"name", Value(name)}})};

@@ -13,11 +13,11 @@
 namespace wcam::project {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 
 std::vector<std::string> codesOf(const std::vector<Diagnostic>& findings) {
   std::vector<std::string> codes;
@@ -31,7 +31,7 @@ std::string canonicalSample() {
   return toCanonicalJson(sampleTree());
 }
 
-class ProjectFile : public testing::Test {
+class ProjectFile : public ::testing::Test {
 protected:
   TestFolder folder_;
   std::filesystem::path file_ = folder_ / "élbow 1.wcam";

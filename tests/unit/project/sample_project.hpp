@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "wcam/base/error.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/project/document.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "error_matchers.hpp"
+#include "test_folder.hpp"
 
-#include <filesystem>
 #include <string>
 
 namespace wcam::project {
@@ -64,41 +62,7 @@ inline Document sampleDocument() {
   return Document::parse(sampleTree());
 }
 
-/// Message of the error that a call throws; fails the test when it throws none or another code.
-template <class Call>
-std::string errorOf(ErrorCode code, const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    EXPECT_STREQ(toString(error.code()), toString(code)) << error.what();
-    return error.what();
-  }
-  ADD_FAILURE() << "no error";
-  return {};
-}
-
-/// An empty folder of its own for a test, removed at the end.
-class TestFolder {
-public:
-  TestFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "wcam-test-XXXXXX").native();
-    path_ = ::mkdtemp(name.data());
-  }
-
-  ~TestFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
+using wcam::testing::errorOf;
+using wcam::testing::TestFolder;
 
 }  // namespace wcam::project

@@ -8,9 +8,9 @@
 namespace wcam::project {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 ParamDef def(const char* key, ParamType type, QuantityKind kind = QuantityKind::None) {
   ParamDef result;

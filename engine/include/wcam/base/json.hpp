@@ -10,7 +10,7 @@
 namespace wcam {
 
 /// Parses UTF-8 JSON. Duplicate keys, trailing text, non-finite numbers and nesting deeper than 200
-/// are errors. @throws Error(InputInvalid) naming `context`, the line and the column.
+/// are errors. @throws Error(InputInvalid) naming `context` and the line.
 Value parseJson(std::string_view text, const std::string& context = "JSON");
 
 /// Canonical text (DESIGN 5): the keys' own order, 2-space indent, LF, shortest round-trip numbers,

@@ -6,6 +6,7 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/value.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
@@ -81,6 +82,7 @@ public:
   /// Converts the text of `--set key=text` to a value in file units. @throws Error(InvalidArgument)
   [[nodiscard]] Value parse(std::string_view key, std::string_view text) const;
   /// True when the parameter's condition holds for these (completed) parameters.
+  /// @throws Error(Internal) for a condition that names no declared parameter
   [[nodiscard]] static bool enabled(const ParamDef& def, const Value& completed);
   /// JSON Schema 2020-12 of the object of parameters.
   [[nodiscard]] Value jsonSchema(const std::string& title) const;
@@ -124,6 +126,11 @@ public:
               ParamType type = typeOf<M>(),
               QuantityKind kind = kindOf<M>()) {
     const T defaults{};
+    if constexpr (std::is_integral_v<M> && !std::is_same_v<M, bool>) {
+      // What the field cannot hold is out of range, whatever the declaration says.
+      info.min = std::max(info.min, static_cast<double>(std::numeric_limits<M>::min()));
+      info.max = std::min(info.max, static_cast<double>(std::numeric_limits<M>::max()));
+    }
     ParamDef def{std::move(info), type, kind, {}};
     def.defaultValue = toValue(defaults.*field, def);
     fields_.push_back([field](T& target, const Value& value, const ParamDef& d) {

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/diagnostic.hpp"
+
+#include "wcam/base/error.hpp"
+#include "wcam/base/json.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wcam {
+namespace {
+
+Diagnostic sample() {
+  return {Severity::Violation, "motion.joint_limit", "axis 3 leaves its range",
+          "turn the part",     {"elbow", 3, 0, 12},  {{"excess_deg", 1.5}}};
+}
+
+TEST(Diagnostic, AsValueAndLine) {
+  EXPECT_EQ(
+      toCompactJson(toValue(sample())),
+      R"({"severity": "violation", "code": "motion.joint_limit", "message": "axis 3 leaves its range", "remedy": "turn the part", "place": {"operation": "elbow", "layer": 3, "bead": 0, "point": 12}, "data": {"excess_deg": 1.5}})");
+  EXPECT_EQ(toLine(sample()),
+            "violation motion.joint_limit [elbow layer 3 bead 0 point 12]: axis 3 leaves its range "
+            "(turn the part)");
+  const Diagnostic bare{Severity::Information, "a.b", "text", {}, {}, {}};
+  EXPECT_EQ(toCompactJson(toValue(bare)),
+            R"({"severity": "information", "code": "a.b", "message": "text"})");
+  EXPECT_EQ(toLine(bare), "information a.b: text");
+  const Diagnostic layer{Severity::Warning, "a.b", "text", {}, {{}, 2, -1, -1}, {}};
+  EXPECT_EQ(toLine(layer), "warning a.b [layer 2]: text");
+}
+
+TEST(Diagnostics, CollectAndCount) {
+  Diagnostics all;
+  all.add(sample());
+  all.append({sample(), {Severity::Warning, "a.b", "text", {}, {}, {}}});
+  EXPECT_EQ(all.count(Severity::Violation), 2U);
+  EXPECT_EQ(all.count("a.b"), 1U);
+  Diagnostics copy(all);
+  copy.add(sample());
+  EXPECT_EQ(all.items().size(), 3U);
+  copy = all;
+  EXPECT_EQ(copy.items().size(), 3U);
+}
+
+TEST(Error, ExitCodesOfTheCommandLine) {
+  EXPECT_EQ(exitCodeOf(ErrorCode::InvalidArgument), 1);
+  EXPECT_EQ(exitCodeOf(ErrorCode::Internal), 2);
+  for (const ErrorCode code : {ErrorCode::InputNotFound, ErrorCode::InputInvalid,
+                               ErrorCode::ProjectInvalid, ErrorCode::ProjectReadOnly}) {
+    EXPECT_EQ(exitCodeOf(code), 3);
+  }
+  EXPECT_EQ(exitCodeOf(ErrorCode::OutputConflict), 4);
+  EXPECT_EQ(exitCodeOf(ErrorCode::CheckFailed), 5);
+  EXPECT_EQ(exitCodeOf(ErrorCode::JobFailed), 6);
+  EXPECT_EQ(exitCodeOf(ErrorCode::PluginMissing), 7);
+  EXPECT_EQ(exitCodeOf(ErrorCode::PluginRefused), 7);
+  EXPECT_EQ(exitCodeOf(ErrorCode::Cancelled), 130);
+}
+
+TEST(Error, MessageWithContext) {
+  const Error error(ErrorCode::InputInvalid, "no facets", "a.stl", "export it again");
+  EXPECT_STREQ(error.what(), "a.stl: no facets");
+  EXPECT_EQ(error.hint(), "export it again");
+  EXPECT_STREQ(Error(ErrorCode::Internal, "x").what(), "x");
+}
+
+}  // namespace
+}  // namespace wcam
