@@ -20,6 +20,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
@@ -51,7 +52,12 @@ int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   return map.Extent();
 }
 
-std::string kindOf(const TopoDS_Shape& shape) {
+/// Type of a shape; a compound of one thing counts as that thing.
+std::string kindOf(const TopoDS_Shape& whole) {
+  TopoDS_Shape shape = whole;
+  while (shape.ShapeType() == TopAbs_COMPOUND && shape.NbChildren() == 1) {
+    shape = TopoDS_Iterator(shape).Value();
+  }
   std::string kind = TopAbs::ShapeTypeToString(shape.ShapeType());
   std::transform(kind.begin(), kind.end(), kind.begin(),
                  [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });

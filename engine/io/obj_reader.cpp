@@ -36,10 +36,10 @@ public:
       } else if (word == "f") {
         face();
       } else if ((word == "o" || word == "g") && name_.empty()) {
-        name_ = scanner_.restOfLine();
+        name_ = printableName(scanner_.restOfLine());
         continue;
       } else if (!word.empty() && !isKnown(word)) {
-        fail("'" + std::string(word.substr(0, 20)) + "' is not part of an OBJ file");
+        fail(quoted(word) + " is not part of an OBJ file");
       }
       skipLine(word);
     }
@@ -87,8 +87,8 @@ private:
       const std::string_view word = scanner_.wordOnLine();
       const auto number = scanNumber(word);
       if (!number || !std::isfinite(*number)) {
-        fail("vertex " + std::to_string(mesh_.vertices.size()) + " has '" +
-             std::string(word.substr(0, 20)) + "' instead of a finite number");
+        fail("vertex " + std::to_string(mesh_.vertices.size()) + " has " + quoted(word) +
+             " instead of a finite number");
       }
       p[k] = *number;
     }
@@ -122,8 +122,8 @@ private:
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t position = index > 0 ? index - 1 : count + index;
     if (!number || index == 0 || position < 0 || position >= count) {
-      fail("the face refers to vertex '" + std::string(word.substr(0, 20)) + "'; there are " +
-           std::to_string(count) + " before it");
+      fail("the face refers to vertex " + quoted(word) + "; there are " + std::to_string(count) +
+           " before it");
     }
     return static_cast<std::uint32_t>(position);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "occt_session.hpp"
 
+#include "text_scanner.hpp"
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
@@ -43,7 +44,7 @@ protected:
     if (gravity < Message_Warning || texts_.size() >= kMaxMessages) {
       return;
     }
-    std::string text = string.ToCString();
+    std::string text = printableName(string.ToCString());
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) {
       text.pop_back();
     }

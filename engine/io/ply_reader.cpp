@@ -131,7 +131,7 @@ private:
       } else if (word == "property") {
         readProperty();
       } else if (!word.empty() && word != "comment" && word != "obj_info") {
-        failInHeader("'" + std::string(word.substr(0, 20)) + "' is not known");
+        failInHeader(quoted(word) + " is not known");
       }
       scanner_.skipLine();
     }
@@ -146,7 +146,7 @@ private:
     } else if (word == "binary_big_endian") {
       encoding_ = Encoding::BigEndian;
     } else {
-      failInHeader("format '" + std::string(word.substr(0, 30)) + "' is not known");
+      failInHeader("format " + quoted(word) + " is not known");
     }
   }
 
@@ -183,7 +183,7 @@ private:
         return known.scalar;
       }
     }
-    failInHeader("type '" + std::string(word.substr(0, 20)) + "' is not known");
+    failInHeader("type " + quoted(word) + " is not known");
   }
 
   /// Before anything is allocated.
@@ -220,9 +220,8 @@ private:
       const std::string_view word = scanner_.word();
       const auto value = scanNumber(word);
       if (!value) {
-        fail(word.empty()
-                 ? "the file ends in " + place()
-                 : place() + " has '" + std::string(word.substr(0, 20)) + "' instead of a number");
+        fail(word.empty() ? "the file ends in " + place()
+                          : place() + " has " + quoted(word) + " instead of a number");
       }
       return *value;
     }

@@ -129,13 +129,13 @@ public:
       } else if (equalNoCase(word, "solid")) {
         const std::string_view name = scanner_.restOfLine();
         if (result.name.empty()) {
-          result.name = name;
+          result.name = printableName(name);
         }
       } else if (equalNoCase(word, "endsolid")) {
         scanner_.skipLine();
         ended = true;
       } else {
-        fail("'" + std::string(word.substr(0, 20)) + "' is not part of an STL file");
+        fail(quoted(word) + " is not part of an STL file");
       }
     }
     result.endMissing = !ended;
@@ -174,7 +174,7 @@ private:
         fail("the file ends inside facet " + std::to_string(triangles_.size()));
       } else if (!equalNoCase(word, "outer") && !equalNoCase(word, "loop") &&
                  !equalNoCase(word, "endloop")) {
-        fail("'" + std::string(word.substr(0, 20)) + "' is not part of a facet");
+        fail(quoted(word) + " is not part of a facet");
       }
     }
     if (corners != 3) {
@@ -189,7 +189,7 @@ private:
       const std::string_view word = scanner_.word();
       const std::optional<double> number = scanNumber(word);
       if (!number) {
-        fail("'" + std::string(word.substr(0, 20)) + "' is not a number");
+        fail(quoted(word) + " is not a number");
       }
       if (!std::isfinite(*number)) {
         notFinite(file_, triangles_.size());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text_scanner.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <system_error>
@@ -18,7 +19,66 @@ char lower(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// Longest piece of a damaged file in a message.
+constexpr std::size_t kQuotedSize = 24;
+
+/// Number of continuation bytes after a UTF-8 lead byte, or -1.
+int continuationCount(unsigned char lead) noexcept {
+  if (lead < 0x80) {
+    return 0;
+  }
+  if (lead >= 0xC2 && lead <= 0xDF) {
+    return 1;
+  }
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    return 2;
+  }
+  return lead >= 0xF0 && lead <= 0xF4 ? 3 : -1;
+}
+
+/// Length of the valid UTF-8 sequence at the start of a text, 0 when there is none.
+std::size_t sequenceLength(std::string_view text) noexcept {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const int more = continuationCount(byte(0));
+  if (more < 0 || text.size() <= static_cast<std::size_t>(more)) {
+    return 0;
+  }
+  for (std::size_t i = 1; i <= static_cast<std::size_t>(more); ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) {
+      return 0;
+    }
+  }
+  // Overlong forms, surrogates and numbers beyond Unicode.
+  const bool bad = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) > 0x9F) ||
+                   (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) > 0x8F);
+  return bad ? 0 : static_cast<std::size_t>(more) + 1;
+}
+
 }  // namespace
+
+std::string quoted(std::string_view word) {
+  std::string text(1, '\'');
+  for (const char c : word.substr(0, kQuotedSize)) {
+    text.push_back(c >= ' ' && c <= '~' ? c : '?');
+  }
+  text.push_back('\'');
+  return text;
+}
+
+std::string printableName(std::string_view text) {
+  std::string name;
+  while (!text.empty()) {
+    const std::size_t length = sequenceLength(text);
+    const bool control = static_cast<unsigned char>(text.front()) < 0x20 || text.front() == 0x7F;
+    if (length == 0 || control) {
+      name.push_back(control ? ' ' : '?');
+    } else {
+      name.append(text.substr(0, length));
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return name;
+}
 
 std::string_view TextScanner::takeWord() {
   const std::size_t begin = position_;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace wcam::io {
@@ -46,5 +47,12 @@ bool equalNoCase(std::string_view word, std::string_view lowerCase) noexcept;
 /// A number as files have it: also with a leading '+', "nan" and "inf"; too large counts as
 /// infinite, too small as 0. Independent of the locale.
 std::optional<double> scanNumber(std::string_view word) noexcept;
+
+/// The start of a word of a damaged file for a message: quoted, other bytes than plain text as '?'.
+std::string quoted(std::string_view word);
+
+/// A name out of a file as valid UTF-8 on one line; text in another encoding loses its letters
+/// beyond ASCII.
+std::string printableName(std::string_view text);
 
 }  // namespace wcam::io

@@ -307,7 +307,7 @@ private:
         return;
       }
     }
-    xml_.fail("unit '" + std::string(name.substr(0, 30)) + "' is not known");
+    xml_.fail("unit " + quoted(name) + " is not known");
   }
 
   static std::size_t indexOr0(std::string_view text) {
