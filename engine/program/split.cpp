@@ -50,7 +50,6 @@ int targetCount(const Action& action) noexcept {
 ProgramParts splitProgram(const Program& program, int maxTargets) {
   const auto limit = static_cast<std::size_t>(maxTargets > 0 ? maxTargets : 0);
   ProgramParts parts;
-  std::size_t begin = 0;
   std::size_t used = 0;
   // The last place where the part may end, with what follows it and whether it lies between beads.
   std::optional<std::size_t> seam;
@@ -68,12 +67,10 @@ ProgramParts splitProgram(const Program& program, int maxTargets) {
     while (limit > 0 && used + count > limit) {
       if (seam) {
         parts.ends.push_back(*seam);
-        begin = *seam;
         used = usedAfterSeam;
       } else {
         parts.ends.push_back(i);
         parts.cutsWithArcOn += seams.arc() ? 1 : 0;
-        begin = i;
         used = 0;
       }
       seam.reset();

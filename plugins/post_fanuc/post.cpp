@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/text.hpp"
+#include "wcam/plugin/plugin.hpp"
+#include "wcam/program/names.hpp"
+#include "wcam/program/split.hpp"
+#include "wcam/program/validate.hpp"
+
+#include "ls_writer.hpp"
+
+namespace {
+
+using namespace fanuc;
+using wcam::Diagnostic;
+using wcam::Error;
+using wcam::ErrorCode;
+using wcam::Severity;
+using wcam::plugin::OutputFile;
+using wcam::program::Instruction;
+using wcam::program::Program;
+
+/// A relative speed error above this is worth a word: it changes the layer height as much.
+constexpr double kSpeedErrorWorthTelling = 0.01;
+/// A motion group has at most 9 axes.
+constexpr int kMaxGroupAxes = 9;
+
+void checkCell(const Program& program, const Dialect& dialect) {
+  const auto& cell = program.cell;
+  if (cell.robotJoints > kMaxGroupAxes) {
+    throw Error(ErrorCode::JobFailed,
+                "a FANUC motion group has at most 9 axes, the robot has " +
+                    std::to_string(cell.robotJoints),
+                program.name, "use a cell with a FANUC robot");
+  }
+  if (dialect.mode != Mode::Cartesian) {
+    return;
+  }
+  if (cell.robotJoints != 6) {
+    throw Error(ErrorCode::JobFailed,
+                "Cartesian positions need a robot with 6 joints, this one has " +
+                    std::to_string(cell.robotJoints),
+                program.name, "set mode=joint");
+  }
+  if (cell.partCarried) {
+    throw Error(ErrorCode::JobFailed,
+                "Cartesian positions are not defined for a part that the robot carries",
+                program.name, "set mode=joint");
+  }
+}
+
+void tell(const Program& program,
+          const wcam::program::ProgramParts& parts,
+          const ModalState& state,
+          const wcam::JobContext& context) {
+  if (parts.cutsWithArcOn > 0) {
+    context.add({Severity::Warning,
+                 "post.cut_with_arc_on",
+                 "a bead is longer than one program: the arc burns while the next one is called",
+                 "allow more points per program or sample the bead less densely",
+                 {program.name},
+                 {{"cuts", static_cast<double>(parts.cutsWithArcOn)}}});
+  }
+  if (state.worstSpeedError > kSpeedErrorWorthTelling) {
+    context.add({Severity::Warning,
+                 "post.speed_rounded",
+                 "speeds are rounded by more than 1 %",
+                 "write speeds in cm/min or with more decimals",
+                 {program.name},
+                 {{"error_percent", 100.0 * state.worstSpeedError}}});
+  }
+}
+
+class FanucPost final : public wcam::plugin::PostProcessor {
+public:
+  [[nodiscard]] std::vector<OutputFile> post(const Program& program,
+                                             const wcam::Value& params,
+                                             const wcam::JobContext& context) const override {
+    const Dialect dialect = dialectSchema().read(params, "post-processor wcam.post.fanuc");
+    context.check();
+    wcam::program::requireValid(program);
+    checkCell(program, dialect);
+    const auto parts = wcam::program::splitProgram(program, dialect.maxPoints);
+    const std::string name =
+        wcam::trimText(dialect.programName).empty() ? program.name : dialect.programName;
+    const bool chained = parts.ends.size() > 1;
+    const std::vector<std::string> names =
+        wcam::program::partNames(name, chained ? parts.ends.size() : 0, dialect.longestName());
+    std::vector<OutputFile> files;
+    if (chained) {
+      const std::span<const std::string> called(names.begin() + 1, names.end());
+      files.push_back(
+          {names.front() + ".LS", printMain(names.front(), program.name, called, dialect)});
+    }
+    ModalState state;
+    state.configuration = program.cell.configuration;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < parts.ends.size(); ++i) {
+      const std::string& part = names[chained ? i + 1 : 0];
+      const std::span<const Instruction> range(program.instructions.data() + begin,
+                                               parts.ends[i] - begin);
+      files.push_back(
+          {part + ".LS", printPart(part, program.name, program, range, dialect, state, context)});
+      begin = parts.ends[i];
+      context.report(static_cast<double>(i + 1) / static_cast<double>(parts.ends.size()));
+    }
+    tell(program, parts, state, context);
+    return files;
+  }
+};
+
+void registerComponents(wcam::plugin::Registrar& registrar) {
+  registrar.addPost(
+      {.id = "wcam.post.fanuc",
+       .name = "FANUC TP (.LS)",
+       .summary = "TP programs in ASCII form for FANUC controllers, with the positioner as "
+                  "motion group 2",
+       .params = dialectSchema().params()},
+      [] { return std::make_unique<FanucPost>(); });
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.post.fanuc", "0.1.0", registerComponents);

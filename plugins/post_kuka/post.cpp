@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/text.hpp"
+#include "wcam/plugin/plugin.hpp"
+#include "wcam/program/names.hpp"
+#include "wcam/program/split.hpp"
+#include "wcam/program/validate.hpp"
+
+#include "krl_writer.hpp"
+
+#include <algorithm>
+
+namespace {
+
+using namespace kuka;
+using wcam::Error;
+using wcam::ErrorCode;
+using wcam::Severity;
+using wcam::plugin::OutputFile;
+using wcam::program::Instruction;
+using wcam::program::Program;
+
+/// A relative speed error above this is worth a word: it changes the layer height as much.
+constexpr double kSpeedErrorWorthTelling = 0.01;
+constexpr int kRobotAxes = 6;
+constexpr int kMaxExternalAxes = 6;
+
+void checkCell(const Program& program, const Dialect& dialect) {
+  const auto& cell = program.cell;
+  if (cell.robotJoints != kRobotAxes || cell.positionerJoints > kMaxExternalAxes) {
+    throw Error(ErrorCode::JobFailed,
+                "a KUKA program has 6 robot axes and up to 6 external ones, the cell " +
+                    std::to_string(cell.robotJoints) + " and " +
+                    std::to_string(cell.positionerJoints),
+                program.name, "use a cell with a KUKA robot");
+  }
+  if (cell.partCarried && dialect.mode == Mode::Cartesian) {
+    throw Error(ErrorCode::JobFailed,
+                "Cartesian positions are not defined for a part that the robot carries",
+                program.name, "set mode=joint");
+  }
+}
+
+void checkTexts(const Dialect& dialect) {
+  const std::string context = "post-processor wcam.post.kuka";
+  const bool bits =
+      dialect.status.empty() ||
+      (dialect.status.size() == 3 && dialect.status.find_first_not_of("01") == std::string::npos);
+  if (!bits) {
+    throw Error(ErrorCode::InvalidArgument,
+                "status '" + dialect.status + "' is not three binary digits", context,
+                "write it like 010, or leave it empty");
+  }
+  for (const std::string& text : {dialect.arcOn, dialect.arcOff, dialect.wireVariable}) {
+    const bool plain =
+        std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
+    if (!plain) {
+      throw Error(
+          ErrorCode::InvalidArgument,
+          "KRL lines take printable ASCII only: '" + wcam::program::asciiComment(text) + "'",
+          context, "separate lines by '|'");
+    }
+  }
+}
+
+void tell(const Program& program,
+          const wcam::program::ProgramParts& parts,
+          const ModalState& state,
+          const wcam::JobContext& context) {
+  if (parts.cutsWithArcOn > 0) {
+    context.add({Severity::Warning,
+                 "post.cut_with_arc_on",
+                 "a bead is longer than one program: the arc burns while the next one is called",
+                 "allow more points per program or sample the bead less densely",
+                 {program.name},
+                 {{"cuts", static_cast<double>(parts.cutsWithArcOn)}}});
+  }
+  if (state.worstAxisSpeedError > kSpeedErrorWorthTelling) {
+    context.add({Severity::Warning,
+                 "post.speed_rounded",
+                 "moves to axis values run at whole percents of the axis speeds",
+                 "deposit with mode=cartesian",
+                 {program.name},
+                 {{"error_percent", 100.0 * state.worstAxisSpeedError}}});
+  }
+}
+
+class KukaPost final : public wcam::plugin::PostProcessor {
+public:
+  [[nodiscard]] std::vector<OutputFile> post(const Program& program,
+                                             const wcam::Value& params,
+                                             const wcam::JobContext& context) const override {
+    const Dialect dialect = dialectSchema().read(params, "post-processor wcam.post.kuka");
+    checkTexts(dialect);
+    context.check();
+    wcam::program::requireValid(program);
+    checkCell(program, dialect);
+    const auto parts = wcam::program::splitProgram(program, dialect.maxPoints);
+    const std::string name =
+        wcam::trimText(dialect.programName).empty() ? program.name : dialect.programName;
+    const bool chained = parts.ends.size() > 1;
+    const std::vector<std::string> names =
+        wcam::program::partNames(name, chained ? parts.ends.size() : 0, kLongestName);
+    std::vector<OutputFile> files;
+    if (chained) {
+      const std::span<const std::string> called(names.begin() + 1, names.end());
+      files.push_back({names.front() + ".src",
+                       printMain({names.front(), program.name, true}, program, called, dialect)});
+    }
+    ModalState state;
+    state.configuration = program.cell.configuration;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < parts.ends.size(); ++i) {
+      const Frame frame{names[chained ? i + 1 : 0], program.name, !chained};
+      const std::span<const Instruction> range(program.instructions.data() + begin,
+                                               parts.ends[i] - begin);
+      files.push_back(
+          {frame.name + ".src", printProgram(frame, program, range, dialect, state, context)});
+      begin = parts.ends[i];
+      context.report(static_cast<double>(i + 1) / static_cast<double>(parts.ends.size()));
+    }
+    tell(program, parts, state, context);
+    return files;
+  }
+};
+
+void registerComponents(wcam::plugin::Registrar& registrar) {
+  registrar.addPost(
+      {.id = "wcam.post.kuka",
+       .name = "KUKA KRL (.src)",
+       .summary = "KRL programs for KUKA controllers, with a mathematically coupled positioner "
+                  "as external axes",
+       .params = dialectSchema().params()},
+      [] { return std::make_unique<KukaPost>(); });
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.post.kuka", "0.1.0", registerComponents);
