@@ -57,8 +57,8 @@ void solveElbow(
     const Arm& arm, double x, double z, bool elbowDown, const double* seed, ArmPart& part) {
   const double forearm = std::hypot(arm.d4, arm.r4);
   const double distance = std::hypot(x, z);
-  const double beyond = std::max(distance - (arm.a2 + forearm),
-                                 std::abs(arm.a2 - forearm) - distance);
+  const double beyond =
+      std::max(distance - (arm.a2 + forearm), std::abs(arm.a2 - forearm) - distance);
   part.missing = std::max(part.missing, beyond);
   const double a = 2.0 * arm.a2 * z;
   const double b = 2.0 * arm.a2 * x;
@@ -108,8 +108,8 @@ void solveWrist(const Eigen::Matrix3d& wrist,
   const double sin4 = std::sin(c(3));
   // Rz(−c4)·wrist = Ry(c5)·Rz(c6)
   c(4) = std::atan2(cos4 * wrist(0, 2) + sin4 * wrist(1, 2), wrist(2, 2));
-  c(5) = std::atan2(cos4 * wrist(1, 0) - sin4 * wrist(0, 0),
-                    cos4 * wrist(1, 1) - sin4 * wrist(0, 1));
+  c(5) =
+      std::atan2(cos4 * wrist(1, 0) - sin4 * wrist(0, 0), cos4 * wrist(1, 1) - sin4 * wrist(0, 1));
 }
 
 struct Problem {
@@ -218,8 +218,8 @@ Pose forwardArm(const Arm& arm, const double* q) {
   const Eigen::Matrix3d arm1 = rotationZ(c(0));
   const Eigen::Matrix3d arm2 = arm1 * rotationY(c(1));
   const Eigen::Matrix3d arm3 = arm2 * rotationY(c(2));
-  T_canonical_wrist.translation() = arm1 * Vec3(arm.a1, arm.b, 0.0) + arm2.col(2) * arm.a2 +
-                                    arm3 * Vec3(-arm.d4, 0.0, arm.r4);
+  T_canonical_wrist.translation() =
+      arm1 * Vec3(arm.a1, arm.b, 0.0) + arm2.col(2) * arm.a2 + arm3 * Vec3(-arm.d4, 0.0, arm.r4);
   T_canonical_wrist.linear() = arm3 * rotationZ(c(3)) * rotationY(c(4)) * rotationZ(c(5));
   return arm.T_base_canonical * T_canonical_wrist * arm.T_wrist_flange;
 }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "arm_kernel.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/cell/arm.hpp"
+
+#include "arm_kernel.hpp"
 
 namespace wcam::cell {
 
@@ -62,8 +63,7 @@ void inverseBlock(const Arm& arm, PoseBlock& poses, int count, JointBlock& resul
       row[n] = count > 0 ? row[0] : 0.0;
     }
   }
-  solveLanes(constantsOf(arm), {poses.rotation, poses.position},
-             {result.joints, result.reachable});
+  solveLanes(constantsOf(arm), {poses.rotation, poses.position}, {result.joints, result.reachable});
 }
 
 }  // namespace wcam::cell

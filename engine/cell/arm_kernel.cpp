@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The batch form of arm.cpp: the same formulas over blocks of poses, structure of arrays. Loops have
-// fixed bounds and no branches so that the compiler makes vector code; no sine or cosine is
+// The batch form of arm.cpp: the same formulas over blocks of poses, structure of arrays. Loops
+// have fixed bounds and no branches so that the compiler makes vector code; no sine or cosine is
 // computed, only arc tangents, all others follow from the sides of the triangles.
 //
 // Compiled with fast-math: this file must include nothing with inline functions that other files
@@ -12,8 +12,10 @@
 
 #include <cmath>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define WCAM_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define WCAM_VECTOR_CLONES \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define WCAM_VECTOR_CLONES
 #endif
@@ -147,7 +149,8 @@ WCAM_INLINE void solveElbowAndWrist(const ArmConstants& k,
     double across[3];
     double along2 = 0.0;
     for (int j = 0; j < 3; ++j) {
-      const double level = shoulder.cosine[n] * lanes.r[j][n] + shoulder.sine[n] * lanes.r[3 + j][n];
+      const double level =
+          shoulder.cosine[n] * lanes.r[j][n] + shoulder.sine[n] * lanes.r[3 + j][n];
       across[j] = cosT * level - sinT * lanes.r[6 + j][n];
       along2 = sinT * level + cosT * lanes.r[6 + j][n];  // the last one, j = 2, is kept
     }
@@ -206,7 +209,9 @@ WCAM_INLINE void toValues(const ArmConstants& k,
 
 }  // namespace
 
-WCAM_VECTOR_CLONES void solveLanes(const ArmConstants& k, const LanePoses& poses, const LaneResults& result) {
+WCAM_VECTOR_CLONES void solveLanes(const ArmConstants& k,
+                                   const LanePoses& poses,
+                                   const LaneResults& result) {
   Lanes lanes;
   toWrist(k, poses, lanes);
   Shoulder shoulder;

@@ -11,9 +11,9 @@ struct ArmConstants {
   double base[12];   ///< canonical base from robot base: rotation row major, translation
   double wrist[12];  ///< wrist in the flange frame, likewise
   double a1, a2, d4, r4, b;
-  double gain[21];   ///< lower triangle of the inverse gain, row by row
-  double zero[6];    ///< controller values at zero canonical angles
-  double turn[6];    ///< a full turn for periodic joints, else 0
+  double gain[21];  ///< lower triangle of the inverse gain, row by row
+  double zero[6];   ///< controller values at zero canonical angles
+  double turn[6];   ///< a full turn for periodic joints, else 0
 };
 
 /// Flange poses, structure of arrays.

@@ -22,8 +22,8 @@ constexpr double kDistanceTolerance = 1e-7;
 constexpr double kNoLength = 1e-6;
 
 [[noreturn]] void fail(const std::string& what, double by, const char* unit) {
-  throw Error(ErrorCode::ProjectInvalid,
-              what + " (off by " + formatFixed(by, 6) + " " + unit + ")", "robot",
+  throw Error(ErrorCode::ProjectInvalid, what + " (off by " + formatFixed(by, 6) + " " + unit + ")",
+              "robot",
               "the closed-form inverse kinematics needs axes 2 and 3 parallel, both at a right "
               "angle to axes 1 and 4, and axes 4, 5, 6 meeting at right angles in one point");
 }
@@ -126,9 +126,8 @@ void reduceArmPart(const ChainAxes& axes, const Vec3& centre, Arm& arm, Signs& s
 
 /// Axes 4 to 6: directions and canonical angles at zero values, and the flange in the wrist frame.
 void reduceWrist(const ChainAxes& axes, const Vec3& centre, Arm& arm, Signs& signs) {
-  const Eigen::Matrix3d toForearm =
-      rotationY(signs.atZero(1) + signs.atZero(2)).transpose() *
-      arm.T_base_canonical.linear().transpose();
+  const Eigen::Matrix3d toForearm = rotationY(signs.atZero(1) + signs.atZero(2)).transpose() *
+                                    arm.T_base_canonical.linear().transpose();
   const Vec3 z5 = toForearm * axes.directions[4];
   // Axis 5 is Rz(c4)·y = (−sin c4, cos c4, 0): the sense that keeps |c4| at zero values within 90°.
   signs.sign(4) = signOf(z5.y() + kAngleTolerance);
@@ -140,8 +139,8 @@ void reduceWrist(const ChainAxes& axes, const Vec3& centre, Arm& arm, Signs& sig
   signs.atZero(4) = std::atan2(signs.sign(5) * z6.x(), signs.sign(5) * z6.z());
 
   Pose T_base_wrist = Pose::Identity();
-  T_base_wrist.linear() = toForearm.transpose() * rotationZ(signs.atZero(3)) *
-                          rotationY(signs.atZero(4));
+  T_base_wrist.linear() =
+      toForearm.transpose() * rotationZ(signs.atZero(3)) * rotationY(signs.atZero(4));
   T_base_wrist.translation() = centre;
   arm.T_wrist_flange = T_base_wrist.inverse() * axes.T_root_tip;
 }

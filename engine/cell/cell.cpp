@@ -9,9 +9,8 @@ namespace wcam::cell {
 
 const Joint& Cell::joint(int index) const {
   WCAM_ASSERT(index >= 0 && index < jointCount());
-  return index < robotJoints()
-             ? robot.joints[static_cast<std::size_t>(index)]
-             : positioner.joints[static_cast<std::size_t>(index - robotJoints())];
+  return index < robotJoints() ? robot.joints[static_cast<std::size_t>(index)]
+                               : positioner.joints[static_cast<std::size_t>(index - robotJoints())];
 }
 
 Vec3 Cell::verticalInBase() const {

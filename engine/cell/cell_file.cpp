@@ -141,14 +141,16 @@ public:
     for (const auto& [key, value] : object.asObject()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end() && !key.starts_with("x-")) {
         const auto near = nearestName(key, keys);
-        problem(joinPath(path, key), "is not known here" +
-                                         (near ? "; did you mean '" + *near + "'?" : std::string()) +
-                                         " (notes go into \"comment\" or keys that begin with x-)");
+        problem(joinPath(path, key),
+                "is not known here" + (near ? "; did you mean '" + *near + "'?" : std::string()) +
+                    " (notes go into \"comment\" or keys that begin with x-)");
       }
     }
   }
 
-  Pose pose(const Value& parent, const std::string& parentPath, const std::string& key,
+  Pose pose(const Value& parent,
+            const std::string& parentPath,
+            const std::string& key,
             bool required);
 
 private:
@@ -175,7 +177,8 @@ Eigen::Matrix3d Reader::orthonormal(const Eigen::Matrix3d& printed, const std::s
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(printed, Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (deviation > kOrthonormal) {
-    job_.add({Severity::Warning, "cell.frame_not_orthonormal",
+    job_.add({Severity::Warning,
+              "cell.frame_not_orthonormal",
               contextName_ + ": the printed axes of " + path +
                   " are not perpendicular unit vectors; the nearest rotation is used",
               "write the axes with more digits or as angles",
@@ -324,8 +327,8 @@ void readCoupling(Reader& reader,
       reader.problem(place, "is not the name of a joint before this one");
       continue;
     }
-    joint.coupling.resize(std::max(joint.coupling.size(),
-                                   static_cast<std::size_t>(it - before.begin()) + 1));
+    joint.coupling.resize(
+        std::max(joint.coupling.size(), static_cast<std::size_t>(it - before.begin()) + 1));
     joint.coupling[static_cast<std::size_t>(it - before.begin())] = reader.number(factor, place);
   }
 }
@@ -421,8 +424,8 @@ void readPositioner(Reader& reader, const Value& file, Cell& cell) {
   cell.T_table_part = reader.pose(*positioner, "positioner", "T_table_part", false);
   readJoints(reader, *positioner, "positioner", cell.positioner);
   if (cell.positioner.size() > kMaxPositionerJoints) {
-    reader.problem("positioner.joints", "expected 0, 1 or 2 joints, got " +
-                                            std::to_string(cell.positioner.size()));
+    reader.problem("positioner.joints",
+                   "expected 0, 1 or 2 joints, got " + std::to_string(cell.positioner.size()));
   }
 }
 

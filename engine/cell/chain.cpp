@@ -25,9 +25,9 @@ Pose dhTransform(double alpha, double d, double angle, double r) {
   const double ct = std::cos(angle);
   const double st = std::sin(angle);
   Pose pose;
-  pose.matrix() << ct, -st, 0, d,                //
-      ca * st, ca * ct, -sa, -r * sa,            //
-      sa * st, sa * ct, ca, r * ca,              //
+  pose.matrix() << ct, -st, 0, d,      //
+      ca * st, ca * ct, -sa, -r * sa,  //
+      sa * st, sa * ct, ca, r * ca,    //
       0, 0, 0, 1;
   return pose;
 }

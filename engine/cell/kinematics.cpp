@@ -77,9 +77,9 @@ double dexterity(const Cell& cell, const JointVector& q) {
 
 JointVector jointSpeedsFromMotors(const Cell& cell, const JointVector& motorRpm) {
   if (motorRpm.size() != cell.jointCount()) {
-    throw Error(ErrorCode::InvalidArgument,
-                "expected " + std::to_string(cell.jointCount()) + " motor speeds, got " +
-                    std::to_string(motorRpm.size()));
+    throw Error(ErrorCode::InvalidArgument, "expected " + std::to_string(cell.jointCount()) +
+                                                " motor speeds, got " +
+                                                std::to_string(motorRpm.size()));
   }
   JointVector speeds(motorRpm.size());
   for (int j = 0; j < cell.jointCount(); ++j) {

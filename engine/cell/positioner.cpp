@@ -55,8 +55,8 @@ std::array<Vec3, 2> meetingDirections(const Vec3& k1, const Vec3& k2, double u, 
   const Vec3 towards = v * k2 + w * across;
   const Vec3 away = v * k2 - w * across;
   const double wanted = std::acos(std::clamp(u, -1.0, 1.0));
-  const bool nearer = std::abs(angleBetween(towards, k1) - wanted) <=
-                      std::abs(angleBetween(away, k1) - wanted);
+  const bool nearer =
+      std::abs(angleBetween(towards, k1) - wanted) <= std::abs(angleBetween(away, k1) - wanted);
   const Vec3 best = nearer ? towards : away;
   return {best, best};
 }

@@ -4,7 +4,6 @@
 #include "wcam/cell/angles.hpp"
 
 #include "cells.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

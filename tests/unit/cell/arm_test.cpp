@@ -3,11 +3,11 @@
 
 #include "wcam/cell/arm.hpp"
 
-#include "cells.hpp"
 #include "wcam/base/error.hpp"
 #include "wcam/cell/angles.hpp"
 #include "wcam/cell/kinematics.hpp"
 
+#include "cells.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,8 +41,8 @@ bool sameJoints(const Vector6& a, const double* b) {
 /// A chain like the FANUC's with other zero offsets, senses, frame choices and a lateral offset.
 Chain oddChain() {
   Chain chain;
-  chain.T_root_first = Pose(Eigen::Translation3d(10, -20, 300) *
-                            Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()));
+  chain.T_root_first =
+      Pose(Eigen::Translation3d(10, -20, 300) * Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()));
   const double h = kPi / 2;
   const auto add = [&chain](double alpha, double d, double theta, double r, double sign) {
     Joint joint;
@@ -54,15 +54,15 @@ Chain oddChain() {
     joint.maxSpeed = 1.0;
     chain.joints.push_back(joint);
   };
-  add(kPi, 0, 0.3, -450, -1);      // axis 1 points down, as KUKA draws it
-  add(h, 260, -0.7, 20, 1);        // lateral offset of 20 mm, part of it taken back on axis 3
-  add(kPi, 680, 0.2, 5, -1);       // axis 3 antiparallel to axis 2
-  add(-h, -35, 1.1, -670, 1);      // forearm against z of axis 4
+  add(kPi, 0, 0.3, -450, -1);  // axis 1 points down, as KUKA draws it
+  add(h, 260, -0.7, 20, 1);    // lateral offset of 20 mm, part of it taken back on axis 3
+  add(kPi, 680, 0.2, 5, -1);   // axis 3 antiparallel to axis 2
+  add(-h, -35, 1.1, -670, 1);  // forearm against z of axis 4
   add(h, 0, 2.5, 0, -1);
   add(h, 0, -1.0, -115, 1);
   chain.joints[2].coupling = {0.0, 1.0};
-  chain.T_last_tip = Pose(Eigen::Translation3d(3, 4, -50) *
-                          Eigen::AngleAxisd(0.9, Vec3(0, 1, 1).normalized()));
+  chain.T_last_tip =
+      Pose(Eigen::Translation3d(3, 4, -50) * Eigen::AngleAxisd(0.9, Vec3(0, 1, 1).normalized()));
   return chain;
 }
 
@@ -93,8 +93,7 @@ void checkAllBranches(const Chain& chain, int poses, std::uint64_t seed) {
       ASSERT_EQ(alone.joints, solution.joints);
     }
     ASSERT_TRUE(recovered) << "pose " << i << " seed " << seed;
-    const IkSolution& own =
-        result[static_cast<std::size_t>(branchOf(arm, q.data()).index())];
+    const IkSolution& own = result[static_cast<std::size_t>(branchOf(arm, q.data()).index())];
     ASSERT_TRUE(own.reachable && sameJoints(own.joints, q.data())) << "pose " << i;
   }
   EXPECT_GE(solutions, poses * 4);
@@ -141,7 +140,7 @@ TEST(Arm, unreachablePoseTellsTheMissingDistance) {
   const Cell cell = fanuc();
   const Arm& arm = *cell.arm;
   Pose target = Pose::Identity();
-  target.linear() = rotationY(kPi / 2);                          // flange z = base x
+  target.linear() = rotationY(kPi / 2);                                 // flange z = base x
   target.translation() = Vec3(150 + armReach(arm) + 100 + 37.5, 0, 0);  // 37.5 mm too far
   const IkResult result = inverseArm(arm, target);
   for (const IkSolution& solution : result) {

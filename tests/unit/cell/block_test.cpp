@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cells.hpp"
 #include "wcam/cell/angles.hpp"
 #include "wcam/cell/arm.hpp"
 
+#include "cells.hpp"
 #include <gtest/gtest.h>
 
 #include <memory>

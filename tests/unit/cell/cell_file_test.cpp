@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cells.hpp"
 #include "wcam/base/error.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/cell/kinematics.hpp"
 
+#include "cells.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -64,8 +64,10 @@ TEST(CellFile, printedAxesAreMadeOrthonormalWithAWarning) {
 
 TEST(CellFile, correctedSignOfTheArticleLeavesRoundingOnly) {
   Value file = test::yaskawa().source;
-  file.findMutable("positioner")->findMutable("T_table_part")->findMutable("axes")->set(
-      "z", Value(Value::Array{-0.00014, -0.00008, 0.99999}));
+  file.findMutable("positioner")
+      ->findMutable("T_table_part")
+      ->findMutable("axes")
+      ->set("z", Value(Value::Array{-0.00014, -0.00008, 0.99999}));
   JobContext context;
   cellFromValue(file, "fixed", context);
   ASSERT_EQ(context.diagnostics().count("cell.frame_not_orthonormal"), 1U);
@@ -132,20 +134,18 @@ TEST(CellFile, numberOfJoints) {
 TEST(CellFile, poses) {
   Value file = fanucFile();
   Value* torch = file.findMutable("torch");
-  torch->set("T_flange_tcp",
-             Value::object({{"xyz", Value(Value::Array{1, 2})},
-                            {"wpr", Value(Value::Array{0, 0, 0})},
-                            {"abc", Value(Value::Array{0, 0, 0})}}));
+  torch->set("T_flange_tcp", Value::object({{"xyz", Value(Value::Array{1, 2})},
+                                            {"wpr", Value(Value::Array{0, 0, 0})},
+                                            {"abc", Value(Value::Array{0, 0, 0})}}));
   std::string text = problemsOf(file);
   EXPECT_THAT(text, HasSubstr("torch.T_flange_tcp.xyz: expected a list of 3 numbers"));
   EXPECT_THAT(text, HasSubstr("gives its rotation more than once"));
 
   const auto axes = [](Value::Array x, Value::Array y, Value::Array z) {
-    return Value::object(
-        {{"xyz", Value(Value::Array{0, 0, 0})},
-         {"axes", Value::object({{"x", Value(std::move(x))},
-                                 {"y", Value(std::move(y))},
-                                 {"z", Value(std::move(z))}})}});
+    return Value::object({{"xyz", Value(Value::Array{0, 0, 0})},
+                          {"axes", Value::object({{"x", Value(std::move(x))},
+                                                  {"y", Value(std::move(y))},
+                                                  {"z", Value(std::move(z))}})}});
   };
   torch->set("T_flange_tcp", axes({1, 0, 0}, {0, 1, 0}, {0, 0, -1}));
   EXPECT_THAT(problemsOf(file), HasSubstr("the axes are left-handed"));

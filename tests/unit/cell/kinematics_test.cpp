@@ -3,10 +3,10 @@
 
 #include "wcam/cell/kinematics.hpp"
 
-#include "cells.hpp"
 #include "wcam/base/error.hpp"
 #include "wcam/cell/angles.hpp"
 
+#include "cells.hpp"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -77,10 +77,9 @@ TEST(Kinematics, positionerChainIsTheMatrixForm) {
   std::mt19937_64 random(24);
   for (int i = 0; i < 100; ++i) {
     const JointVector q = randomJoints(random, 8);
-    const Pose expected = T_v *
-                          block(rotationY(q(6)), {149.631 * std::sin(q(6)), 0,
-                                                  149.631 * std::cos(q(6))}) *
-                          block(rotationZ(q(7)), Vec3::Zero());
+    const Pose expected =
+        T_v * block(rotationY(q(6)), {149.631 * std::sin(q(6)), 0, 149.631 * std::cos(q(6))}) *
+        block(rotationZ(q(7)), Vec3::Zero());
     ASSERT_LE(poseDifference(T_base_table(cell, q), expected), 1e-9);
   }
 }
@@ -101,10 +100,8 @@ Vec3 articlePosition(const JointVector& q, double alpha6) {
       -0.00013, 0.99999, -0.00008, 0.044,        //
       0.00015, 0.00008, 0.99999, 45.953,         //
       0, 0, 0, 1;
-  const Eigen::Vector4d tcp =
-      T_base_tcp(cell, q).translation().homogeneous();
-  const Eigen::Vector4d p =
-      printed.inverse() * (T_base_table(cell, q).inverse().matrix() * tcp);
+  const Eigen::Vector4d tcp = T_base_tcp(cell, q).translation().homogeneous();
+  const Eigen::Vector4d p = printed.inverse() * (T_base_table(cell, q).inverse().matrix() * tcp);
   return p.head<3>();
 }
 
@@ -207,9 +204,9 @@ void checkJacobians(const Cell& cell, std::uint64_t seed) {
       JointVector minus = q;
       plus(j) += kStep;
       minus(j) -= kStep;
-      const Vec3 velocity = (T_part_tcp(cell, plus).translation() -
-                             T_part_tcp(cell, minus).translation()) /
-                            (2 * kStep);
+      const Vec3 velocity =
+          (T_part_tcp(cell, plus).translation() - T_part_tcp(cell, minus).translation()) /
+          (2 * kStep);
       ASSERT_LE((jacobian.col(j) - velocity).norm(), 1e-3) << "joint " << j << " seed " << seed;
       if (j >= cell.robotJoints()) {
         continue;

@@ -4,7 +4,6 @@
 #include "wcam/cell/unwrap.hpp"
 
 #include "cells.hpp"
-
 #include <gtest/gtest.h>
 
 namespace wcam::cell {
@@ -30,13 +29,13 @@ TEST(Unwrap, turnsStayInsideLimits) {
   const auto turn = [&j4](double value, double reference) {
     return radToDeg(turnInLimits(j4, degToRad(value), degToRad(reference)));
   };
-  EXPECT_NEAR(turn(-170, 175), 190, 1e-9);    // continues over 180°
-  EXPECT_NEAR(turn(-150, 195), -150, 1e-9);   // 210° would be outside
+  EXPECT_NEAR(turn(-170, 175), 190, 1e-9);   // continues over 180°
+  EXPECT_NEAR(turn(-150, 195), -150, 1e-9);  // 210° would be outside
   EXPECT_NEAR(turn(150, -195), 150, 1e-9);
   EXPECT_NEAR(turn(190 - 360, 900), 190, 1e-9);
   EXPECT_NEAR(turn(200, 200), 200, 1e-9);
   const Joint narrow = limited(-90, 90);
-  EXPECT_NEAR(radToDeg(turnInLimits(narrow, degToRad(120), 0)), 120, 1e-9);   // none inside
+  EXPECT_NEAR(radToDeg(turnInLimits(narrow, degToRad(120), 0)), 120, 1e-9);  // none inside
   EXPECT_NEAR(radToDeg(turnInLimits(narrow, degToRad(120), degToRad(500))), 120, 1e-9);
 }
 

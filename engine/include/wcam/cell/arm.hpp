@@ -11,9 +11,9 @@
 namespace wcam::cell {
 
 /// One of the 8 ways in which a 6R arm reaches a pose. Named like FANUC's configuration: wrist N
-/// (no flip: bent downwards at zero J4, z of axis 6 below the forearm) or F, elbow U (above the line from
-/// shoulder to wrist) or D, shoulder T (wrist centre before axis 1) or B. Each of the three changes
-/// only by crossing a singularity.
+/// (no flip: bent downwards at zero J4, z of axis 6 below the forearm) or F, elbow U (above the
+/// line from shoulder to wrist) or D, shoulder T (wrist centre before axis 1) or B. Each of the
+/// three changes only by crossing a singularity.
 struct Branch {
   bool flipped = false;
   bool elbowDown = false;
@@ -73,12 +73,13 @@ struct IkSolution {
   /// Controller values; periodic ones in (−π, π]. For an unreachable pose: the arm stretched (or
   /// folded) towards it.
   Vector6 joints = Vector6::Zero();
-  double missing = 0.0;     ///< distance of the wrist centre from the reachable range, mm
-  double wristSine = 1.0;   ///< |sin c5|; 0 where axes 4 and 6 are in line
-  double elbowSine = 1.0;   ///< |sin| of the angle at the elbow; 0 where stretched or folded
-  double axisDistance = 0;  ///< wrist centre to axis 1, mm
+  double missing = 0.0;        ///< distance of the wrist centre from the reachable range, mm
+  double wristSine = 1.0;      ///< |sin c5|; 0 where axes 4 and 6 are in line
+  double elbowSine = 1.0;      ///< |sin| of the angle at the elbow; 0 where stretched or folded
+  double axisDistance = 0;     ///< wrist centre to axis 1, mm
   bool wristSingular = false;  ///< axis 4 kept from the seed
-  bool elbowSingular = false;  ///< both elbow branches are the same (or undefined, kept from the seed)
+  bool elbowSingular =
+      false;  ///< both elbow branches are the same (or undefined, kept from the seed)
   bool shoulderSingular = false;  ///< wrist centre on axis 1: axis 1 kept from the seed
 };
 

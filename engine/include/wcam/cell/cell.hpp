@@ -35,8 +35,8 @@ struct Cell {
   Pose T_world_base = Pose::Identity();
   Chain robot;       ///< base → flange, 6 joints
   Chain positioner;  ///< base → table, 0 to 2 joints; unused when the robot carries the part
-  Pose T_flange_tcp = Pose::Identity();    ///< torch carried
-  Pose T_base_tcp = Pose::Identity();      ///< part carried: the fixed deposition point and its axis
+  Pose T_flange_tcp = Pose::Identity();  ///< torch carried
+  Pose T_base_tcp = Pose::Identity();    ///< part carried: the fixed deposition point and its axis
   Pose T_flange_table = Pose::Identity();  ///< part carried
   Pose T_table_part = Pose::Identity();
 

@@ -69,6 +69,7 @@ struct ChainAxes {
   std::vector<Vec3> directions;
   Pose T_root_tip = Pose::Identity();
 };
+
 ChainAxes chainAxes(const Chain& chain, const double* q);
 
 /// Geometric Jacobian of a point that moves with the tip, both in the root frame, per controller

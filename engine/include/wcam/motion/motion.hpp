@@ -32,8 +32,8 @@ struct Waypoint {
   double wireSpeed = 0.0;  ///< mm/s
   double time = 0.0;       ///< s, from the time law
   double tcpSpeed = 0.0;   ///< predicted TCP speed in the part frame, mm/s
-  /// False where the robot cannot come: joints then hold the arm stretched towards the point (or the
-  /// joints before it), and the TCP is not at T_part_tcp.
+  /// False where the robot cannot come: joints then hold the arm stretched towards the point (or
+  /// the joints before it), and the TCP is not at T_part_tcp.
   bool reachable = true;
 };
 
@@ -55,11 +55,12 @@ struct MotionStatistics {
   std::vector<JointStatistics> joints;  ///< in the cell's order
   double minDexterity = 1.0;            ///< Chalvin Eq. 1.8, linear block; over reachable waypoints
   double maxJointSpeedRatio = 0.0;
-  double totalTime = 0.0;        ///< s
-  double arcTime = 0.0;          ///< s
-  double maxVerticalError = 0.0; ///< angle between a point's up and the vertical, torch carried, rad
+  double totalTime = 0.0;  ///< s
+  double arcTime = 0.0;    ///< s
+  double maxVerticalError =
+      0.0;  ///< angle between a point's up and the vertical, torch carried, rad
   std::size_t unreachableWaypoints = 0;
-  std::string branch;            ///< "NUT" …, see cell::Branch
+  std::string branch;  ///< "NUT" …, see cell::Branch
 };
 
 /// What planMotion returns.

@@ -36,12 +36,12 @@ struct MotionParams {
 /// Joint motion of a whole operation with a constant rotation about the torch (Chalvin A18, A20,
 /// A22, A37).
 ///
-/// Torch carried: the positioner turns each point's `up` to the world's vertical, the tool frame's z
-/// is the point's `axis`. Part carried: the part's `axis` is turned to the fixed torch's. One branch
-/// of the arm for all points; joints are unwrapped inside their limits, full turns change only in
-/// joint moves. Between beads: retract along the axis, up to the safe height above all that is
-/// deposited by then, joint move, approach. A segment takes its length over its speed, or longer when a
-/// joint could not follow.
+/// Torch carried: the positioner turns each point's `up` to the world's vertical, the tool frame's
+/// z is the point's `axis`. Part carried: the part's `axis` is turned to the fixed torch's. One
+/// branch of the arm for all points; joints are unwrapped inside their limits, full turns change
+/// only in joint moves. Between beads: retract along the axis, up to the safe height above all that
+/// is deposited by then, joint move, approach. A segment takes its length over its speed, or longer
+/// when a joint could not follow.
 ///
 /// Findings: motion.unreachable and motion.joint_limit (violations), motion.singularity,
 /// motion.joint_step, motion.speed_limited, motion.low_dexterity, motion.not_vertical (warnings),

@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/text.hpp"
+#include "wcam/cell/unwrap.hpp"
+
+#include "plan_detail.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wcam::motion::detail {
+
+namespace {
+
+/// A speed that is lower by more than this (relative) was held back by a joint.
+constexpr double kSlower = 1e-9;
+constexpr std::size_t kCheckEvery = 4096;
+
+/// The worst of a kind of finding in one bead.
+struct Worst {
+  std::size_t count = 0;
+  double value = 0.0;
+  double extra = 0.0;
+  int point = -1;
+  int joint = -1;
+
+  void add(double badness, int atPoint, int atJoint = -1, double more = 0.0) {
+    if (count == 0 || badness > value) {
+      value = badness;
+      point = atPoint;
+      joint = atJoint;
+      extra = more;
+    }
+    ++count;
+  }
+};
+
+std::string points(std::size_t count) {
+  return count == 1 ? "1 point" : std::to_string(count) + " points";
+}
+
+std::string degText(double rad) {
+  return formatFixed(radToDeg(rad), 3) + " deg";
+}
+
+/// Findings of one bead with its travel moves.
+class BeadFindings {
+public:
+  BeadFindings(const Cell& cell, const MotionParams& params, Place place)
+      : cell_(cell),
+        params_(params),
+        place_(std::move(place)),
+        limits_(static_cast<std::size_t>(cell.jointCount())),
+        steps_(limits_.size()),
+        turns_(limits_.size()) {}
+
+  void add(const Waypoint& point,
+           const Waypoint* before,
+           const PointState& state,
+           double residual) {
+    if (!point.reachable) {
+      unreachable_.add(state.missing, point.point);
+    } else {
+      addSingularities(point, state);
+      if (point.arc && state.dexterity < params_.minDexterity) {
+        dexterity_.add(-static_cast<double>(state.dexterity), point.point);
+      }
+    }
+    if (residual > params_.verticalTolerance.value()) {
+      vertical_.add(residual, point.point);
+    }
+    for (std::size_t j = 0; j < limits_.size(); ++j) {
+      const auto joint = static_cast<int>(j);
+      const double excess = cell::limitExcess(cell_.joint(joint), point.joints(joint));
+      if (excess > 0.0 && (point.reachable || joint >= cell_.robotJoints())) {
+        limits_[j].add(excess, point.point, joint, point.joints(joint));
+      }
+      if (before != nullptr) {
+        addStep(point, *before, joint);
+      }
+    }
+    if (before != nullptr && point.arc && point.reachable && before->reachable &&
+        point.tcpSpeed < point.speed * (1.0 - kSlower)) {
+      addSlowdown(point, *before);
+    }
+  }
+
+  void report(const JobContext& context) const {
+    reportReach(context);
+    reportLimits(context);
+    reportSingularities(context);
+    reportSteps(context);
+    reportRest(context);
+  }
+
+private:
+  void addSingularities(const Waypoint& point, const PointState& state) {
+    if (state.wristSine < std::sin(params_.wristMargin.value())) {
+      wrist_.add(-std::asin(std::min(1.0, static_cast<double>(state.wristSine))), point.point);
+    }
+    if (state.elbowSine < std::sin(params_.elbowMargin.value())) {
+      elbow_.add(-std::asin(std::min(1.0, static_cast<double>(state.elbowSine))), point.point);
+    }
+    if (state.axisDistance < params_.shoulderMargin.value()) {
+      shoulder_.add(-static_cast<double>(state.axisDistance), point.point);
+    }
+  }
+
+  void addStep(const Waypoint& point, const Waypoint& before, int joint) {
+    const double step = point.joints(joint) - before.joints(joint);
+    const auto j = static_cast<std::size_t>(joint);
+    if (point.kind == MoveKind::Joint) {
+      // More than half a turn in a travel move: a full turn was taken back.
+      if (std::abs(step) > kPi && cell::periodicJoint(cell_, joint)) {
+        turns_[j].add(std::abs(step), point.point, joint);
+      }
+    } else if (std::abs(step) > params_.maxJointStep.value() && point.reachable &&
+               before.reachable) {
+      steps_[j].add(std::abs(step), point.point, joint);
+    }
+  }
+
+  void addSlowdown(const Waypoint& point, const Waypoint& before) {
+    double slowest = 0.0;
+    int joint = -1;
+    for (int j = 0; j < cell_.jointCount(); ++j) {
+      const double time = std::abs(point.joints(j) - before.joints(j)) / cell_.joint(j).maxSpeed;
+      if (time > slowest) {
+        slowest = time;
+        joint = j;
+      }
+    }
+    slow_.add(-point.tcpSpeed / point.speed, point.point, joint, point.tcpSpeed);
+  }
+
+  void put(const JobContext& context,
+           Severity severity,
+           const char* code,
+           std::string message,
+           std::string remedy,
+           const Worst& worst,
+           std::vector<std::pair<std::string, double>> data) const {
+    Place place = place_;
+    place.point = worst.point;
+    data.emplace_back("points", static_cast<double>(worst.count));
+    context.add({severity, code, std::move(message), std::move(remedy), place, std::move(data)});
+  }
+
+  std::string nameOf(const Worst& worst) const {
+    return worst.joint < 0 ? std::string("a joint") : "joint " + cell_.joint(worst.joint).name;
+  }
+
+  void reportReach(const JobContext& context) const {
+    if (unreachable_.count > 0) {
+      put(context, Severity::Violation, "motion.unreachable",
+          points(unreachable_.count) + " out of the robot's reach; the wrist misses up to " +
+              formatFixed(unreachable_.value, 1) + " mm",
+          "move the part in the cell, change the rotation about the torch or the configuration, or "
+          "lower the safe height when only travel moves are concerned",
+          unreachable_, {{"missing_mm", unreachable_.value}});
+    }
+  }
+
+  void reportLimits(const JobContext& context) const {
+    for (const Worst& worst : limits_) {
+      if (worst.count > 0) {
+        put(context, Severity::Violation, "motion.joint_limit",
+            nameOf(worst) + " exceeds its limit by up to " + degText(worst.value) + " at " +
+                points(worst.count),
+            "change the rotation about the torch, the configuration or the place of the part",
+            worst,
+            {{"joint", worst.joint + 1.0},
+             {"excess_deg", radToDeg(worst.value)},
+             {"value_deg", radToDeg(worst.extra)}});
+      }
+    }
+  }
+
+  void reportSingularities(const JobContext& context) const {
+    const char* remedy =
+        "change the rotation about the torch, the tool tilt or the place of the part";
+    if (wrist_.count > 0) {
+      put(context, Severity::Warning, "motion.singularity",
+          "wrist singularity: axes 4 and 6 are in line but for " + degText(-wrist_.value) + " at " +
+              points(wrist_.count),
+          remedy, wrist_, {{"wrist_bend_deg", radToDeg(-wrist_.value)}});
+    }
+    if (elbow_.count > 0) {
+      put(context, Severity::Warning, "motion.singularity",
+          "elbow singularity: the arm is stretched or folded but for " + degText(-elbow_.value) +
+              " at " + points(elbow_.count),
+          remedy, elbow_, {{"elbow_bend_deg", radToDeg(-elbow_.value)}});
+    }
+    if (shoulder_.count > 0) {
+      put(context, Severity::Warning, "motion.singularity",
+          "shoulder singularity: the wrist centre is " + formatFixed(-shoulder_.value, 1) +
+              " mm from axis 1 at " + points(shoulder_.count),
+          remedy, shoulder_, {{"axis_distance_mm", -shoulder_.value}});
+    }
+  }
+
+  void reportSteps(const JobContext& context) const {
+    for (const Worst& worst : steps_) {
+      if (worst.count > 0) {
+        put(context, Severity::Warning, "motion.joint_step",
+            nameOf(worst) + " turns by up to " + degText(worst.value) +
+                " between neighbouring points",
+            "change the rotation about the torch or the configuration, so that the motion keeps "
+            "away from a singularity",
+            worst, {{"joint", worst.joint + 1.0}, {"step_deg", radToDeg(worst.value)}});
+      }
+    }
+    for (const Worst& worst : turns_) {
+      if (worst.count > 0) {
+        put(context, Severity::Information, "motion.configuration_change",
+            nameOf(worst) + " turns by " + degText(worst.value) + " in a travel move",
+            "check the cables", worst,
+            {{"joint", worst.joint + 1.0}, {"step_deg", radToDeg(worst.value)}});
+      }
+    }
+  }
+
+  void reportRest(const JobContext& context) const {
+    if (slow_.count > 0) {
+      put(context, Severity::Warning, "motion.speed_limited",
+          nameOf(slow_) + " slows the torch down to " + formatFixed(slow_.extra, 2) + " mm/s (" +
+              formatFixed(-slow_.value * 100.0, 1) + " % of the wanted speed) at " +
+              points(slow_.count),
+          "lower the travel speed, smooth the path, or keep away from singularities", slow_,
+          {{"joint", slow_.joint + 1.0},
+           {"speed_mm_s", slow_.extra},
+           {"speed_ratio", -slow_.value}});
+    }
+    if (dexterity_.count > 0) {
+      put(context, Severity::Warning, "motion.low_dexterity",
+          "the dexterity falls to " + formatFixed(-dexterity_.value, 4) + " at " +
+              points(dexterity_.count),
+          "change the rotation about the torch or the place of the part", dexterity_,
+          {{"dexterity", -dexterity_.value}});
+    }
+    if (vertical_.count > 0) {
+      put(context, Severity::Warning, "motion.not_vertical",
+          "the build direction is up to " + degText(vertical_.value) + " off the vertical at " +
+              points(vertical_.count),
+          "the positioner's axes cannot turn it further; choose another build direction", vertical_,
+          {{"angle_deg", radToDeg(vertical_.value)}});
+    }
+  }
+
+  const Cell& cell_;
+  const MotionParams& params_;
+  Place place_;
+  Worst unreachable_, wrist_, elbow_, shoulder_, dexterity_, vertical_, slow_;
+  std::vector<Worst> limits_, steps_, turns_;
+};
+
+}  // namespace
+
+void reportFindings(const Cell& cell,
+                    const Motion& motion,
+                    const std::vector<PointState>& states,
+                    const Positioning& positioning,
+                    const MotionParams& params,
+                    const std::string& operationId,
+                    const JobContext& context) {
+  const std::vector<Waypoint>& points = motion.waypoints;
+  std::size_t i = 0;
+  while (i < points.size()) {
+    const int layer = points[i].layer;
+    const int bead = points[i].bead;
+    BeadFindings findings(cell, params, {operationId, layer, bead, -1});
+    for (; i < points.size() && points[i].layer == layer && points[i].bead == bead; ++i) {
+      if (i % kCheckEvery == 0) {
+        context.check();
+      }
+      findings.add(points[i], i > 0 ? &points[i - 1] : nullptr, states[i], positioning.residual[i]);
+    }
+    findings.report(context);
+  }
+}
+
+}  // namespace wcam::motion::detail

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/quantity.hpp"
+#include "wcam/cell/cell.hpp"
+#include "wcam/toolpath/toolpath.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace wcam::motion::test {
+
+using geometry::Vec3;
+
+inline cell::Cell shippedCell(const std::string& name) {
+  return cell::loadCell(std::string(WCAM_RESOURCES) + "/cells/" + name + ".json");
+}
+
+/// Closed circles on the plate, one above the other.
+inline toolpath::Toolpath circles(int layers, double radius, int points, const Vec3& centre) {
+  toolpath::Toolpath path;
+  constexpr double kHeight = 2.0;
+  for (int l = 0; l < layers; ++l) {
+    toolpath::Layer layer;
+    layer.level = kHeight * (l + 1);
+    toolpath::Bead bead;
+    bead.closed = true;
+    for (int i = 0; i <= points; ++i) {
+      const double a = 2 * kPi * (i % points) / points;
+      toolpath::PathPoint point;
+      point.n = Vec3(std::cos(a), std::sin(a), 0);
+      point.t = Vec3(-std::sin(a), std::cos(a), 0);
+      point.p = centre + radius * point.n + Vec3(0, 0, layer.level);
+      point.n = -point.n;
+      point.b = point.t.cross(point.n);
+      point.b = point.b.z() < 0 ? Vec3(-point.b) : point.b;
+      point.axis = Vec3::UnitZ();
+      point.up = Vec3::UnitZ();
+      point.height = kHeight;
+      point.speed = 10.0;
+      point.wireSpeed = 80.0;
+      bead.points.push_back(point);
+    }
+    layer.beads.push_back(std::move(bead));
+    path.layers.push_back(std::move(layer));
+  }
+  return path;
+}
+
+/// The same with every layer tilted further about x: what a bent tube needs of the positioner.
+inline toolpath::Toolpath leaningCircles(int layers, double radius, int points, double stepDeg) {
+  toolpath::Toolpath path = circles(layers, radius, points, Vec3::Zero());
+  for (int l = 0; l < layers; ++l) {
+    const Eigen::Matrix3d r =
+        Eigen::AngleAxisd(degToRad(stepDeg * (l + 1)), Vec3::UnitX()).toRotationMatrix();
+    for (toolpath::PathPoint& point : path.layers[static_cast<std::size_t>(l)].beads[0].points) {
+      point.p = r * point.p;
+      point.t = r * point.t;
+      point.n = r * point.n;
+      point.b = r * point.b;
+      point.axis = r * point.axis;
+      point.up = r * point.up;
+    }
+  }
+  return path;
+}
+
+}  // namespace wcam::motion::test
