@@ -8,6 +8,7 @@
 #include "wcam/base/json.hpp"
 #include "wcam/base/sha256.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/plugin/locations.hpp"
 
 #include "file_schema.hpp"
 
@@ -197,6 +198,11 @@ std::vector<UsedFile> usedFiles(const Document& document) {
 }
 
 std::filesystem::path resolvePath(const std::filesystem::path& project, const FileRef& ref) {
+  if (ref.path.starts_with(kShippedPrefix)) {
+    return (plugin::dataFolder() /
+            pathFromText(ref.path.substr(std::string_view(kShippedPrefix).size())))
+        .lexically_normal();
+  }
   return (project.parent_path() / pathFromText(ref.path)).lexically_normal();
 }
 

@@ -106,6 +106,29 @@ void addProcess(Value& report, const OperationResult& result) {
       .set("arc_time_s", s.time);
 }
 
+Value jointValue(const std::string& name, const motion::JointStatistics& joint) {
+  Value value = Value::object(
+      {{"name", name}, {"min_deg", radToDeg(joint.min)}, {"max_deg", radToDeg(joint.max)}});
+  // An endless joint has no limit and hence no margin.
+  value.set("margin_deg", std::isfinite(joint.margin) ? Value(radToDeg(joint.margin)) : Value());
+  return value.set("max_speed_ratio", joint.maxSpeedRatio);
+}
+
+void addMotion(Value& report, const OperationResult& result) {
+  const motion::MotionStatistics& s = result.motion->statistics;
+  report.set("time_s", s.totalTime)
+      .set("min_dexterity", s.minDexterity)
+      .set("max_joint_speed_ratio", s.maxJointSpeedRatio)
+      .set("max_vertical_error_deg", radToDeg(s.maxVerticalError))
+      .set("unreachable_points", s.unreachableWaypoints)
+      .set("branch", s.branch);
+  Value joints = Value::array();
+  for (std::size_t j = 0; j < s.joints.size(); ++j) {
+    joints.push(jointValue(result.cell->joint(static_cast<int>(j)).name, s.joints[j]));
+  }
+  report.set("joints", joints);
+}
+
 }  // namespace
 
 Value operationReport(const OperationResult& result) {

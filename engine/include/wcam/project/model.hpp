@@ -12,6 +12,9 @@
 
 namespace wcam::project {
 
+/// Start of a path to a file that comes with the program: "wcam:cells/fanuc_arcmate120ic.json".
+inline constexpr const char* kShippedPrefix = "wcam:";
+
 /// A file that a project uses. `path` is relative to the project file, with '/' separators; an
 /// empty `sha256` means that the content is not pinned.
 struct FileRef {
