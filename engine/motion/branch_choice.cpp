@@ -19,11 +19,14 @@ using cell::IkSolution;
 using cell::JointVector;
 
 constexpr std::size_t kGrain = 128;
+/// A branch whose joints all keep this part of their range to the limits is good enough for a usual
+/// posture to be preferred to a larger margin.
+constexpr double kEnoughMargin = 0.05;
 
 /// Distance to the nearest limit over the joint's range, of the turn that lies best inside.
 double relativeMargin(const cell::Joint& joint, double value, bool periodic) {
   if (joint.endless) {
-    return 0.5;
+    return BranchScore::kFullMargin;
   }
   const double middle = 0.5 * (joint.min + joint.max);
   const double best = periodic ? cell::nearestTurn(value, middle) : value;
@@ -35,7 +38,7 @@ void addToScore(const Cell& cell, const IkSolution& solution, BranchScore& score
     ++score.unreachable;
     return;
   }
-  double margin = 0.5;
+  double margin = BranchScore::kFullMargin;
   for (int j = 0; j < cell.robotJoints(); ++j) {
     margin = std::min(margin, relativeMargin(cell.joint(j), solution.joints(j),
                                              cell.arm->periodic[static_cast<std::size_t>(j)]));
@@ -65,8 +68,9 @@ void merge(const BranchScore& part, BranchScore& whole) {
 
 BranchScores emptyScores() {
   BranchScores scores;
-  for (BranchScore& score : scores) {
-    score.margin = 0.5;
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    const Branch branch = Branch::fromIndex(static_cast<int>(k));
+    scores[k].unusual = (branch.elbowDown ? 1 : 0) + (branch.backwards ? 2 : 0);
   }
   return scores;
 }
@@ -157,6 +161,13 @@ bool BranchScore::betterThan(const BranchScore& other) const {
   }
   if (outsideLimits != other.outsideLimits) {
     return outsideLimits < other.outsideLimits;
+  }
+  const bool enough = margin >= kEnoughMargin;
+  if (enough != (other.margin >= kEnoughMargin)) {
+    return enough;
+  }
+  if (unusual != other.unusual) {
+    return unusual < other.unusual;
   }
   return margin > other.margin;
 }

@@ -17,23 +17,30 @@ namespace {
 constexpr double kSlower = 1e-9;
 constexpr std::size_t kCheckEvery = 4096;
 
-/// The worst of a kind of finding in one bead.
+/// The worst of a kind of finding in one bead. The place is the worst point of the bead itself, a
+/// travel move (−1) only where no point of the bead is concerned.
 struct Worst {
   std::size_t count = 0;
   double value = 0.0;
   double extra = 0.0;
-  int point = -1;
   int joint = -1;
+  int point = -1;
 
   void add(double badness, int atPoint, int atJoint = -1, double more = 0.0) {
     if (count == 0 || badness > value) {
       value = badness;
-      point = atPoint;
       joint = atJoint;
       extra = more;
     }
+    if (atPoint >= 0 && (point < 0 || badness > pointValue_)) {
+      point = atPoint;
+      pointValue_ = badness;
+    }
     ++count;
   }
+
+private:
+  double pointValue_ = 0.0;
 };
 
 std::string points(std::size_t count) {

@@ -22,8 +22,10 @@ Schema<MotionParams> makeSchema() {
           &MotionParams::branch,
           {.key = "branch",
            .label = "Robot configuration",
-           .help = "Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes "
-                   "the one that reaches all points with the largest margin to the limits.",
+           .help =
+               "Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one "
+               "that reaches all points inside the limits, if it can with the shoulder to "
+               "the front and the elbow up, and with the largest margin.",
            .group = "Torch",
            .choices = {{"auto", "Automatic"},
                        {"nut", "N U T"},

@@ -47,11 +47,15 @@ geometry::Pose flangePose(const Cell& cell,
                           double torchRotation,
                           geometry::Pose* T_part_tcp);
 
-/// How good a branch is over all targets; smaller is better, compared in this order.
+/// How good a branch is over all targets, compared in this order: points out of reach, points
+/// outside limits, enough margin to the limits, usual posture (shoulder to the front, elbow up: the
+/// others meet the table or the robot's own base more easily), largest margin.
 struct BranchScore {
+  static constexpr double kFullMargin = 0.5;  ///< a joint in the middle of its range
   std::size_t unreachable = 0;
   std::size_t outsideLimits = 0;
-  double margin = 0.0;  ///< smallest distance to a limit over the joint's range
+  double margin = kFullMargin;  ///< smallest distance to a limit over the joint's range
+  int unusual = 0;              ///< 1 for elbow down, 2 for shoulder to the back, 3 for both
   [[nodiscard]] bool betterThan(const BranchScore& other) const;
 };
 

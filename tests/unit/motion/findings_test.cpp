@@ -91,9 +91,11 @@ TEST(Findings, partlyUnreachablePath) {
 TEST(Findings, jointLimitNamesJointAndExcess) {
   cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   cell.robot.joints[0].max = degToRad(10);  // the table stands at about 41°
+  MotionParams params;
+  params.branch = BranchChoice::Nut;
   JobContext context;
   const PlannedMotion planned =
-      planMotion(circles(2, 40, 30, Vec3::Zero()), cell, {}, "op", context);
+      planMotion(circles(2, 40, 30, Vec3::Zero()), cell, params, "op", context);
   EXPECT_EQ(context.diagnostics().count("motion.joint_limit"), 2U);
   const auto d = first(context, "motion.joint_limit");
   ASSERT_TRUE(d);
@@ -104,11 +106,10 @@ TEST(Findings, jointLimitNamesJointAndExcess) {
 }
 
 TEST(Findings, wristSingularityAlongThePath) {
-  // Part carried: the flange points straight up, so that a tool axis along the forearm is singular.
+  // A straight torch on a fixed table: a tool axis along the forearm is singular.
   cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   cell.T_flange_tcp = geometry::Pose::Identity();
   cell.T_flange_tcp.translation() = Vec3(0, 0, 300);
-  // Points along a line on which the flange axis passes the forearm's direction.
   cell.positioner.joints.clear();
   cell.positioner.T_root_first = geometry::Pose::Identity();
   cell.positioner.T_root_first.translation() = Vec3(1200, 0, 0);
@@ -128,8 +129,10 @@ TEST(Findings, wristSingularityAlongThePath) {
     bead.points.push_back(point);
   }
   path.layers[0].beads.push_back(bead);
+  MotionParams params;
+  params.branch = BranchChoice::Nut;
   JobContext context;
-  const PlannedMotion planned = planMotion(path, cell, {}, "op", context);
+  const PlannedMotion planned = planMotion(path, cell, params, "op", context);
   const auto d = first(context, "motion.singularity");
   ASSERT_TRUE(d);
   EXPECT_EQ(d->severity, Severity::Warning);

@@ -31,7 +31,10 @@ const toolpath::PathPoint& pointOf(const toolpath::Toolpath& path, const Waypoin
       .points[static_cast<std::size_t>(w.point)];
 }
 
-void printFindings(const JobContext& context) {
+void printFindings(const JobContext& context, const PlannedMotion& planned) {
+  std::printf("[   INFO   ] branch %s, dexterity %.3f, joint speed ratio %.3f\n",
+              planned.statistics.branch.c_str(), planned.statistics.minDexterity,
+              planned.statistics.maxJointSpeedRatio);
   for (const Diagnostic& d : context.diagnostics().items()) {
     std::printf("[   INFO   ] %s\n", toLine(d).c_str());
   }
@@ -92,7 +95,7 @@ TEST(PlanMotion, circlesOnThePlateOfTheFanuc) {
   expectFollows(planned, cell, path);
   expectInsideLimits(planned, cell);
   expectContinuous(planned, 20);
-  printFindings(context);
+  printFindings(context, planned);
   EXPECT_EQ(context.diagnostics().count(Severity::Violation), 0U);
   EXPECT_EQ(context.diagnostics().count(Severity::Warning), 0U);
 }
@@ -104,7 +107,7 @@ TEST(PlanMotion, circlesOnTheTableOfTheYaskawa) {
   const PlannedMotion planned = planMotion(path, cell, {}, "op", context);
   expectFollows(planned, cell, path);
   expectInsideLimits(planned, cell);
-  printFindings(context);
+  printFindings(context, planned);
   EXPECT_EQ(context.diagnostics().count(Severity::Violation), 0U);
 }
 
@@ -115,7 +118,7 @@ TEST(PlanMotion, circlesUnderTheFixedTorch) {
   const PlannedMotion planned = planMotion(path, cell, {}, "op", context);
   expectFollows(planned, cell, path);
   expectInsideLimits(planned, cell);
-  printFindings(context);
+  printFindings(context, planned);
   EXPECT_EQ(context.diagnostics().count(Severity::Violation), 0U);
 }
 
@@ -127,7 +130,7 @@ TEST(PlanMotion, leaningLayersAreTurnedUpright) {
     const PlannedMotion planned = planMotion(path, cell, {}, "op", context);
     expectFollows(planned, cell, path);
     expectInsideLimits(planned, cell);
-    printFindings(context);
+    printFindings(context, planned);
     for (const Waypoint& w : planned.motion.waypoints) {
       if (w.point >= 0) {
         const Eigen::Vector3d up = cell.T_world_base.linear() *
