@@ -31,3 +31,7 @@ if(WCAM_SANITIZE)
   target_compile_options(wcam_options INTERFACE -fsanitize=${WCAM_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(wcam_options INTERFACE -fsanitize=${WCAM_SANITIZE})
 endif()
+if(WCAM_BUILD_FUZZ)
+  # The engine reports its coverage to the fuzzer, which the fuzz targets link.
+  target_compile_options(wcam_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
