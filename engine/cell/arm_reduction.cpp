@@ -69,23 +69,31 @@ Vec3 wristCentre(const ChainAxes& axes) {
   return centre;
 }
 
-/// Base frame of the canonical form: z = axis 1, y = axis 2, origin at the height of axis 2.
-Pose canonicalBase(const ChainAxes& axes) {
+double signOf(double value) {
+  return value < 0.0 ? -1.0 : 1.0;
+}
+
+/// Base frame of the canonical form: z = axis 1, y = along axis 2, origin at the height of axis 2.
+/// Of the two senses of y the one that puts axis 2 (or, where it meets axis 1, the wrist centre at
+/// zero values) before axis 1, so that "front" and "up" mean the same for every brand.
+Pose canonicalBase(const ChainAxes& axes, const Vec3& centre) {
   const auto& p = axes.points;
   const auto& z = axes.directions;
   requireAngle(z[0].dot(z[1]), "axes 1 and 2 are not perpendicular");
   requireAngle(sineBetween(z[1], z[2]), "axes 2 and 3 are not parallel");
   requireAngle(z[2].dot(z[3]), "axes 3 and 4 are not perpendicular");
+  const Vec3 along = (z[1] - z[0] * z[0].dot(z[1])).normalized();
+  const Vec3 ahead = along.cross(z[0]);
+  double front = ahead.dot(p[1] - p[0]);
+  if (std::abs(front) < kNoLength) {
+    front = ahead.dot(centre - p[0]) + kNoLength;
+  }
   Pose base = Pose::Identity();
   base.linear().col(2) = z[0];
-  base.linear().col(1) = (z[1] - z[0] * z[0].dot(z[1])).normalized();
+  base.linear().col(1) = signOf(front) * along;
   base.linear().col(0) = base.linear().col(1).cross(base.linear().col(2));
   base.translation() = p[0] + z[0] * z[0].dot(p[1] - p[0]);
   return base;
-}
-
-double signOf(double value) {
-  return value < 0.0 ? -1.0 : 1.0;
 }
 
 struct Signs {
@@ -119,7 +127,9 @@ void reduceArmPart(const ChainAxes& axes, const Vec3& centre, Arm& arm, Signs& s
   if (std::hypot(arm.r4, arm.d4) < kNoLength) {
     fail("the wrist centre lies on axis 3", std::hypot(arm.r4, arm.d4), "mm");
   }
-  signs.sign(2) = signOf(axes.directions[1].dot(axes.directions[2]));
+  const Vec3 y = arm.T_base_canonical.linear().col(1);
+  signs.sign(1) = signOf(y.dot(axes.directions[1]));
+  signs.sign(2) = signOf(y.dot(axes.directions[2]));
   signs.atZero(1) = std::atan2(upperX, upperZ);
   signs.atZero(2) = t - signs.atZero(1);
 }
@@ -176,7 +186,7 @@ Arm reduceArm(const Chain& chain) {
   const ChainAxes axes = chainAxes(chain, zero.data());
   const Vec3 centre = wristCentre(axes);
   Arm arm;
-  arm.T_base_canonical = canonicalBase(axes);
+  arm.T_base_canonical = canonicalBase(axes, centre);
   Signs signs;
   reduceArmPart(axes, centre, arm, signs);
   reduceWrist(axes, centre, arm, signs);

@@ -128,6 +128,11 @@ TEST(Arm, configurationNames) {
   EXPECT_EQ(branchOf(arm, degrees({0, 0, 0, 0, -90, 0}).data()).name(), "NUT");
   EXPECT_EQ(branchOf(arm, degrees({0, 0, 0, 0, 90, 0}).data()).name(), "FUT");
   EXPECT_EQ(branchOf(arm, degrees({0, -120, 200, 0, -90, 0}).data()).name().substr(2), "B");
+  // The same posture has the same name though the Yaskawa's axis 2 points the other way.
+  const Arm other = reduceArm(yaskawa().robot);
+  EXPECT_EQ(branchOf(other, degrees({0, 0, 0, 0, -90, 0}).data()).name(), "NUT");
+  EXPECT_EQ(branchOf(other, degrees({0, 0, 0, 0, 90, 0}).data()).name(), "FUT");
+  EXPECT_NEAR(other.a1, 155.0, 1e-9);
   std::set<std::string> names;
   for (int k = 0; k < Branch::kCount; ++k) {
     EXPECT_EQ(Branch::fromIndex(k).index(), k);

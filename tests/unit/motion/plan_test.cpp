@@ -107,6 +107,7 @@ TEST(PlanMotion, circlesOnTheTableOfTheYaskawa) {
   const PlannedMotion planned = planMotion(path, cell, {}, "op", context);
   expectFollows(planned, cell, path);
   expectInsideLimits(planned, cell);
+  EXPECT_EQ(planned.statistics.branch, "NUT");
   printFindings(context, planned);
   EXPECT_EQ(context.diagnostics().count(Severity::Violation), 0U);
 }
