@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: 2026 The WCAM developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake --install: components engine, cli, plugins, data and sdk. The installed tree finds its parts
+# relative to the engine library, so it may be moved to any folder.
+include(CMakePackageConfigHelpers)
+
+set(wcam_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/wcam")
+set(WCAM_DATA_DIR "${CMAKE_INSTALL_DATADIR}/wcam")
+
+install(TARGETS wcam_engine EXPORT wcamTargets
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT engine NAMELINK_COMPONENT sdk
+  INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+if(TARGET camcli)
+  file(RELATIVE_PATH library_from_program "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}")
+  set_target_properties(camcli PROPERTIES INSTALL_RPATH "$ORIGIN/${library_from_program}")
+  install(TARGETS camcli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT cli)
+endif()
+
+foreach(folder cells processes projects doc schema)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/resources/${folder}" DESTINATION "${WCAM_DATA_DIR}" COMPONENT data)
+endforeach()
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT engine)
+
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/engine/include/wcam" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT sdk
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/plugins/example_post" DESTINATION "${WCAM_DATA_DIR}/examples" COMPONENT sdk)
+install(EXPORT wcamTargets NAMESPACE wcam:: DESTINATION "${wcam_package_dir}" COMPONENT sdk)
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/wcamConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/package/wcamConfig.cmake"
+  INSTALL_DESTINATION "${wcam_package_dir}" PATH_VARS WCAM_DATA_DIR)
+# Until 1.0 a new minor version may change the interfaces.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/package/wcamConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/package/wcamConfig.cmake"
+  "${PROJECT_BINARY_DIR}/package/wcamConfigVersion.cmake" "${CMAKE_CURRENT_LIST_DIR}/WcamPlugin.cmake"
+  DESTINATION "${wcam_package_dir}" COMPONENT sdk)
+
+# The build tree has the layout of the installed one: programs find the resources the same way.
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_DATADIR}")
+file(CREATE_LINK "${PROJECT_SOURCE_DIR}/resources" "${CMAKE_BINARY_DIR}/${WCAM_DATA_DIR}" SYMBOLIC)

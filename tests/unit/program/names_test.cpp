@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/program/names.hpp"
+
+#include "wcam/base/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace wcam::program;
+
+TEST(ControllerName, KeepsWhatAControllerAccepts) {
+  EXPECT_EQ(controllerName("elbow", 8), "ELBOW");
+  EXPECT_EQ(controllerName("elbow-upper.2", 36), "ELBOW_UPPER_2");
+  EXPECT_EQ(controllerName("3rd part", 36), "P3RD_PART");
+  EXPECT_EQ(controllerName("__ok__", 36), "OK");
+  EXPECT_EQ(controllerName("Größe", 36), "GR__E");
+  EXPECT_EQ(controllerName("", 36), "PROGRAM");
+  EXPECT_EQ(controllerName("---", 36, "MAIN"), "MAIN");
+  EXPECT_EQ(controllerName("日本", 8), "PROGRAM");
+}
+
+TEST(ControllerName, StaysDifferentWhenCut) {
+  std::set<std::string> names;
+  for (int i = 0; i < 100; ++i) {
+    const std::string name = controllerName("the_same_long_beginning_" + std::to_string(i), 8);
+    EXPECT_EQ(name.size(), 8U);
+    EXPECT_TRUE(name.starts_with("THE__") || name.starts_with("THE_")) << name;
+    names.insert(name);
+  }
+  EXPECT_EQ(names.size(), 100U);
+}
+
+TEST(PartNames, AreDifferentAndShortEnough) {
+  for (const char* text :
+       {"elbow", "ABCDEF_1", "ABCD_1", "A_1", "a_very_long_operation_name", "1"}) {
+    for (const std::size_t parts : {1U, 9U, 10U, 99U}) {
+      for (const std::size_t length : {9U, 24U, 36U}) {
+        const auto names = partNames(text, parts, length);
+        EXPECT_EQ(names.size(), parts + 1);
+        EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size()) << text;
+        for (const std::string& name : names) {
+          EXPECT_LE(name.size(), length) << name;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(partNames("elbow", 2, 36), (std::vector<std::string>{"ELBOW", "ELBOW_1", "ELBOW_2"}));
+  EXPECT_EQ(partNames("elbow", 10, 36).at(1), "ELBOW_01");
+  EXPECT_EQ(partNames("elbow", 0, 36), (std::vector<std::string>{"ELBOW"}));
+  EXPECT_THROW((void)partNames("elbow", 100, 8), wcam::Error);
+}
+
+TEST(WrapComment, CutsAtBlanksWherePossible) {
+  EXPECT_EQ(wrapComment("one two three", 8), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(wrapComment("abcdefghij", 4), (std::vector<std::string>{"abcd", "efgh", "ij"}));
+  EXPECT_EQ(wrapComment("", 4), (std::vector<std::string>{""}));
+  EXPECT_EQ(wrapComment("été\tx\n", 32), (std::vector<std::string>{"?t? x"}));
+  for (const std::string& piece :
+       wrapComment("the quick brown fox jumps over the lazy dog again and again", 32)) {
+    EXPECT_LE(piece.size(), 32U);
+  }
+}
