@@ -3,6 +3,7 @@
 #include "cad_mesh.hpp"
 
 #include "occt_session.hpp"
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
@@ -46,6 +47,42 @@ std::uint64_t segmentKey(int a, int b) {
   return (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
 }
 
+/// Distance within which a border node counts as lying on its surface, mm.
+constexpr double kOnSurface = 1e-10;
+constexpr int kMaxSteps = 4;
+/// Smallest usable sine between the derivatives of a surface.
+constexpr double kSmallestSine = 1e-6;
+
+/// Parameters of the surface point nearest to p, by Gauss-Newton from uv: borders lie on their
+/// faces only within the tolerance of the file. Never farther away than uv.
+Vec2 footPoint(const BRepAdaptor_Surface& surface, Vec2 uv, const Vec3& p) {
+  gp_Pnt q;
+  gp_Vec su, sv;
+  surface.D1(uv.x(), uv.y(), q, su, sv);
+  double distance = (toVec3(q) - p).norm();
+  for (int step = 0; step < kMaxSteps && distance > kOnSurface; ++step) {
+    const double a = su.SquareMagnitude();
+    const double b = su.Dot(sv);
+    const double c = sv.SquareMagnitude();
+    const double determinant = a * c - b * b;
+    if (!(determinant > kSmallestSine * kSmallestSine * a * c)) {
+      break;
+    }
+    const gp_Vec gap(p.x() - q.X(), p.y() - q.Y(), p.z() - q.Z());
+    const double gu = su.Dot(gap);
+    const double gv = sv.Dot(gap);
+    const Vec2 next = uv + Vec2((c * gu - b * gv) / determinant, (a * gv - b * gu) / determinant);
+    surface.D1(next.x(), next.y(), q, su, sv);
+    const double nextDistance = (toVec3(q) - p).norm();
+    if (!(nextDistance < distance)) {
+      break;
+    }
+    distance = nextDistance;
+    uv = next;
+  }
+  return uv;
+}
+
 class MeshBuilder {
 public:
   MeshBuilder(const TopoDS_Shape& shape, const geometry::Brep::Impl& brep, CadMesh& result)
@@ -69,15 +106,12 @@ public:
       return;
     }
     nodes_.assign(static_cast<std::size_t>(triangulation->NbNodes()) + 1, kNone);
+    pole_.assign(nodes_.size(), false);
     segments_.clear();
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       joinEdge(TopoDS::Edge(it.Current()), *triangulation, triangulation, location);
     }
-    for (int n = 1; n <= triangulation->NbNodes(); ++n) {
-      if (node(n) == kNone) {
-        node(n) = addVertex(toVec3(triangulation->Node(n).Transformed(location)));
-      }
-    }
+    placeNodes(face, *triangulation, location);
     const bool reversed = brep_.faceInfos[static_cast<std::size_t>(index)].reversed;
     for (int t = 1; t <= triangulation->NbTriangles(); ++t) {
       addTriangle(index, *triangulation, t, reversed);
@@ -118,6 +152,7 @@ private:
     if (BRep_Tool::Degenerated(edge)) {
       for (int k = 1; k <= count && !first.IsNull(); ++k) {
         node(polygon->Node(k)) = vertexOf(first);
+        pole_[static_cast<std::size_t>(polygon->Node(k))] = true;
       }
       return;
     }
@@ -154,6 +189,42 @@ private:
                             : vertexOf(vertex);
   }
 
+  /// Vertices of the nodes inside the face, and (u,v) of all nodes.
+  void placeNodes(const TopoDS_Face& face,
+                  const Poly_Triangulation& triangulation,
+                  const TopLoc_Location& location) {
+    const BRepAdaptor_Surface surface(face, Standard_False);
+    uFreeAtPole_.assign(nodes_.size(), false);
+    uv_.resize(nodes_.size());
+    for (int n = 1; n <= triangulation.NbNodes(); ++n) {
+      const gp_Pnt2d stored = triangulation.UVNode(n);
+      Vec2& uv = uv_[static_cast<std::size_t>(n)];
+      uv = Vec2(stored.X(), stored.Y());
+      if (node(n) == kNone) {
+        node(n) = addVertex(toVec3(triangulation.Node(n).Transformed(location)));
+      } else if (!pole_[static_cast<std::size_t>(n)]) {
+        uv = footPoint(surface, uv, result_.mesh.vertices[node(n)]);
+      } else {
+        gp_Pnt q;
+        gp_Vec su, sv;
+        surface.D1(uv.x(), uv.y(), q, su, sv);
+        uFreeAtPole_[static_cast<std::size_t>(n)] = su.SquareMagnitude() < sv.SquareMagnitude();
+      }
+    }
+  }
+
+  /// At a pole one parameter is free; the mean of the other corners' keeps the triangle's (u,v) in
+  /// its own sector.
+  void freePoleParameters(const std::array<int, 3>& n, std::array<Vec2, 3>& uv) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto at = static_cast<std::size_t>(n[c]);
+      if (pole_[at]) {
+        const int free = uFreeAtPole_[at] ? 0 : 1;
+        uv[c][free] = 0.5 * (uv[(c + 1) % 3][free] + uv[(c + 2) % 3][free]);
+      }
+    }
+  }
+
   void addSegments(const Poly_PolygonOnTriangulation& polygon, std::int32_t edge) {
     if (!polygon.HasParameters()) {
       return;
@@ -179,8 +250,7 @@ private:
     binding.face.push_back(face);
     std::array<Vec2, 3> uv;
     for (std::size_t c = 0; c < 3; ++c) {
-      const gp_Pnt2d p = triangulation.UVNode(n[c]);
-      uv[c] = Vec2(p.X(), p.Y());
+      uv[c] = uv_[static_cast<std::size_t>(n[c])];
       const int from = n[c];
       const auto it = segments_.find(segmentKey(from, n[(c + 1) % 3]));
       if (it == segments_.end()) {
@@ -194,6 +264,7 @@ private:
                                      forward ? s.secondParameter : s.firstParameter});
       }
     }
+    freePoleParameters(n, uv);
     binding.uv.push_back(uv);
   }
 
@@ -204,6 +275,9 @@ private:
   std::vector<std::uint32_t> vertexIndex_;              ///< mesh vertex per TopoDS_Vertex
   std::vector<std::vector<std::uint32_t>> edgePoints_;  ///< mesh vertices along each CAD edge
   std::vector<std::uint32_t> nodes_;                    ///< mesh vertex per node of this face
+  std::vector<Vec2> uv_;                                ///< per node of this face
+  std::vector<bool> pole_;                              ///< per node: on a degenerated edge
+  std::vector<bool> uFreeAtPole_;                       ///< per pole node: u is free, else v
   std::unordered_map<std::uint64_t, Segment> segments_;
 };
 

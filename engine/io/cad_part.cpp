@@ -9,10 +9,12 @@
 #include "occt_session.hpp"
 #include "part_builder.hpp"
 #include "text_scanner.hpp"
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
@@ -25,6 +27,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace wcam::io {
@@ -36,6 +39,18 @@ namespace {
 /// Gap between CAD faces without common edges (IGES) that is closed by default, mm: above the
 /// tolerances that CAD systems export with, far below a bead.
 constexpr double kSewTolerance = 0.01;
+/// The same relative to the size of the part, for very small ones.
+constexpr double kSewRelative = 1e-4;
+
+double sewTolerance(const TopoDS_Shape& shape, double wanted) {
+  if (wanted > 0.0) {
+    return wanted;
+  }
+  Bnd_Box box;
+  BRepBndLib::AddClose(shape, box);
+  const double diagonal = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+  return diagonal > 0.0 ? std::min(kSewTolerance, kSewRelative * diagonal) : kSewTolerance;
+}
 
 gp_Trsf toTrsf(const geometry::Pose& pose) {
   const auto& m = pose.matrix();
@@ -193,12 +208,11 @@ TopoDS_Shape sew(const TopoDS_Shape& shape,
                  const ImportJob& job,
                  const JobContext& context) {
   const std::vector<TopoDS_Shape> loose = looseSurfaces(shape);
-  if (loose.size() < 2) {
+  // IGES has no common edges: even the seam of a single face is open.
+  if (loose.empty() || (loose.size() == 1 && job.format != FileFormat::Iges)) {
     return shape;
   }
-  const double wanted = job.options.weldTolerance.value();
-  const double tolerance = wanted > 0.0 ? wanted : kSewTolerance;
-  BRepBuilderAPI_Sewing sewing(tolerance);
+  BRepBuilderAPI_Sewing sewing(sewTolerance(shape, job.options.weldTolerance.value()));
   for (const TopoDS_Shape& surface : loose) {
     sewing.Add(surface);
   }

@@ -119,7 +119,8 @@ std::string nameOf(const TDF_Label& label) {
   static const std::vector<std::string> kTypeNames = {"COMPOUND", "COMPSOLID", "SOLID", "SHELL",
                                                       "FACE",     "WIRE",      "EDGE",  "VERTEX"};
   const bool typeOnly = std::find(kTypeNames.begin(), kTypeNames.end(), utf8) != kTypeNames.end();
-  return typeOnly ? std::string() : utf8;
+  // "=>[0:1:1:2]" is OpenCASCADE's own label for an instance without a name.
+  return typeOnly || utf8.starts_with("=>[") ? std::string() : utf8;
 }
 
 /// Walks the document: assemblies down to their bodies, each with its placement.
@@ -206,7 +207,7 @@ private:
                              const char* format,
                              const OcctSession& session) {
   throw Error(ErrorCode::InputInvalid,
-              std::string("is not a readable ") + format + " file" + session.messageTail(),
+              std::string("this is no readable ") + format + " file" + session.messageTail(),
               pathText(file), "the file is damaged or cut off; export it again");
 }
 

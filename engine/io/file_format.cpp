@@ -51,11 +51,17 @@ std::optional<FileFormat> byExtension(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-/// First line of an IGES file: column 73 is 'S' (start section) and 74-80 the number 1.
+/// First line of an IGES file: column 73 is 'S' (start section), columns 74 to 80 hold the
+/// number 1.
 bool looksLikeIges(std::string_view bytes) {
-  return bytes.size() >= 80 && bytes.substr(0, 80).find('\n') == std::string_view::npos &&
-         bytes[72] == 'S' && trimText(bytes.substr(73, 7)).find_first_not_of('0') == 0 &&
-         trimText(bytes.substr(73, 7)).back() == '1';
+  constexpr std::size_t kSectionColumn = 72;
+  constexpr std::size_t kLineSize = 80;
+  if (bytes.size() < kLineSize || bytes[kSectionColumn] != 'S' ||
+      bytes.substr(0, kLineSize).find('\n') != std::string_view::npos) {
+    return false;
+  }
+  const std::string_view number = bytes.substr(kSectionColumn + 1, kLineSize - kSectionColumn - 1);
+  return number.find_first_not_of(" 0") == number.size() - 1 && number.back() == '1';
 }
 
 std::optional<FileFormat> byContent(std::string_view bytes) {

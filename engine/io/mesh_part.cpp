@@ -56,13 +56,13 @@ void chooseUnit(const RawMesh& raw,
   report.millimetresPerUnit = millimetresPer(unit);
   report.unitReason = "guessed: the largest extent is " + formatReal(extent) +
                       (metres ? ", less than 2 units" : ", at least 2 units");
-  context.add({metres ? Severity::Warning : Severity::Information,
-               "import.units_guessed",
-               std::string(job.format == FileFormat::Obj ? "an " : "a ") + report.format +
-                   " file does not tell its unit; " + report.unit + " is " + report.unitReason,
-               "set the option 'unit' if this is wrong",
-               {},
-               {{"extent", extent}, {"mm_per_unit", report.millimetresPerUnit}}});
+  context.add(
+      {metres ? Severity::Warning : Severity::Information,
+       "import.units_guessed",
+       report.format + " files do not tell their unit; " + report.unit + " is " + report.unitReason,
+       "set the option 'unit' if this is wrong",
+       {},
+       {{"extent", extent}, {"mm_per_unit", report.millimetresPerUnit}}});
 }
 
 void scaleAndPlace(TriangleMesh& mesh,
