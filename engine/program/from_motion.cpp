@@ -9,12 +9,15 @@ namespace wcam::program {
 
 namespace {
 
-CellFacts factsOf(const cell::Cell& cell) {
+CellFacts factsOf(const cell::Cell& cell, const std::string& branch) {
   CellFacts facts;
   facts.cellName = cell.name;
   facts.robotJoints = cell.robotJoints();
   facts.positionerJoints = cell.positionerJoints();
   facts.partCarried = cell.partCarried();
+  if (!branch.empty()) {
+    facts.configuration = branch;
+  }
   for (int j = 0; j < cell.jointCount(); ++j) {
     facts.jointNames.push_back(cell.joint(j).name);
     facts.linearJoint.push_back(false);
@@ -110,7 +113,7 @@ private:
 
 }  // namespace
 
-Program programFromMotion(const motion::Motion& motion,
+Program programFromMotion(const motion::PlannedMotion& planned,
                           const cell::Cell& cell,
                           const ArcSettings& arc,
                           const std::string& operation,
@@ -119,7 +122,8 @@ Program programFromMotion(const motion::Motion& motion,
   Program program;
   program.name = operation;
   program.projectName = projectName;
-  program.cell = factsOf(cell);
+  program.cell = factsOf(cell, planned.statistics.branch);
+  const motion::Motion& motion = planned.motion;
   Builder builder(program, cell, arc);
   constexpr std::size_t kCheckEvery = 4096;
   for (std::size_t i = 0; i < motion.waypoints.size(); ++i) {

@@ -366,7 +366,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       [&](const JobContext& own) {
         const program::ArcSettings arc{result.process.job, result.process.craterTime.value(),
                                        motionParams.jointSpeedRatio};
-        return program::programFromMotion(motion.value->motion, *cell.value, arc, operation.id,
+        return program::programFromMotion(*motion.value, *cell.value, arc, operation.id,
                                           document_.project().name, own);
       });
   collectFrom(program);

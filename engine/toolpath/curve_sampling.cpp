@@ -38,9 +38,9 @@ double allowedArc(double radius, const Sampling& sampling) {
   if (!std::isfinite(radius)) {
     return sampling.maxSpacing;
   }
-  const double ratio =
-      std::min(1.0, sampling.chordError / radius);  // at most half a circle per chord
-  const double arc = 2.0 * radius * std::acos(1.0 - ratio);
+  // 1 - cos a = 2 sin²(a/2), so that flat arcs keep their digits; at most half a circle per chord.
+  const double ratio = std::min(1.0, sampling.chordError / radius);
+  const double arc = 4.0 * radius * std::asin(std::sqrt(0.5 * ratio));
   const double spacingRatio = sampling.maxSpacing / (2.0 * radius);
   const double spacingArc = spacingRatio < 1.0 ? 2.0 * radius * std::asin(spacingRatio) : arc;
   return std::min(arc, spacingArc);

@@ -80,19 +80,37 @@ private:
   const std::vector<toolpath::LayerLevel>& levels_;
 };
 
-/// Lowest and highest plane position among the vertices that are not below the substrate.
+/// Lowest and highest plane position of what stands above the substrate.
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
+
+  void add(double position) {
+    low = std::min(low, position);
+    high = std::max(high, position);
+  }
 };
 
 Extent extentAboveSubstrate(const plugin::SliceInput& input, const Vec3& up) {
   Extent extent;
   for (const auto& part : input.parts) {
-    for (const Vec3& v : part->mesh.vertices) {
-      if (input.substrate->heightAbove(v) >= 0.0) {
-        extent.low = std::min(extent.low, up.dot(v));
-        extent.high = std::max(extent.high, up.dot(v));
+    const geometry::TriangleMesh& mesh = part->mesh;
+    std::vector<double> height(mesh.vertices.size());
+    for (std::size_t v = 0; v < height.size(); ++v) {
+      height[v] = input.substrate->heightAbove(mesh.vertices[v]);
+      if (height[v] >= 0.0) {
+        extent.add(up.dot(mesh.vertices[v]));
+      }
+    }
+    // Where an edge passes through the substrate, the part begins on it.
+    for (const auto& triangle : mesh.triangles) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t a = triangle[c];
+        const std::uint32_t b = triangle[(c + 1) % 3];
+        if ((height[a] < 0.0) != (height[b] < 0.0)) {
+          const double s = height[a] / (height[a] - height[b]);
+          extent.add(up.dot(mesh.vertices[a] + s * (mesh.vertices[b] - mesh.vertices[a])));
+        }
       }
     }
   }

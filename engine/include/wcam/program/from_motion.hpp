@@ -20,7 +20,7 @@ struct ArcSettings {
 
 /// Turns a motion into the robot-neutral program: arc on where a bead starts, arc off with crater
 /// fill where it ends, exact stops there, layer and bead marks around.
-Program programFromMotion(const motion::Motion& motion,
+Program programFromMotion(const motion::PlannedMotion& planned,
                           const cell::Cell& cell,
                           const ArcSettings& arc,
                           const std::string& operation,
