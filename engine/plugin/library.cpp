@@ -8,8 +8,12 @@
 #include "wcam/plugin/plugin.hpp"
 
 #include <dlfcn.h>
+#include <elf.h>
 
+#include <cstdint>
+#include <cstring>
 #include <exception>
+#include <fstream>
 
 namespace wcam::plugin {
 
@@ -133,13 +137,39 @@ const wcam_plugin_descriptor* callEntry(void* symbol) {
   }
 }
 
+/// Refuses what is no shared library, and a library that was cut short: the loader maps it without
+/// looking at the size of the file, and the process dies at the first access beyond its end.
+void checkElf(const std::filesystem::path& library) {
+  const std::string reason = "its library cannot be loaded: the file is ";
+  std::ifstream file(library, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  Elf64_Ehdr header{};
+  file.seekg(0);
+  if (!file || !file.read(reinterpret_cast<char*>(&header), sizeof header) ||
+      std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64 ||
+      header.e_type != ET_DYN || header.e_phentsize != sizeof(Elf64_Phdr)) {
+    refuse(reason + "not a 64-bit ELF library");
+  }
+  file.seekg(static_cast<std::streamoff>(header.e_phoff));
+  for (int i = 0; i < header.e_phnum; ++i) {
+    Elf64_Phdr segment{};
+    const bool complete = file.read(reinterpret_cast<char*>(&segment), sizeof segment) &&
+                          segment.p_offset <= static_cast<std::uint64_t>(size) &&
+                          segment.p_filesz <= static_cast<std::uint64_t>(size) - segment.p_offset;
+    if (!complete) {
+      refuse(reason + "shorter than its header says");
+    }
+  }
+}
+
 }  // namespace
 
 std::string abiProblem(unsigned major, unsigned minor) {
   if (major == WCAM_PLUGIN_ABI_MAJOR && minor <= WCAM_PLUGIN_ABI_MINOR) {
     return {};
   }
-  const bool newer = major > WCAM_PLUGIN_ABI_MAJOR || major == WCAM_PLUGIN_ABI_MAJOR;
+  // With an equal major number the minor one is too new.
+  const bool newer = major >= WCAM_PLUGIN_ABI_MAJOR;
   return "it was built for plugin ABI " + abiText(major, minor) + ", this program has " +
          abiText(WCAM_PLUGIN_ABI_MAJOR, WCAM_PLUGIN_ABI_MINOR) +
          (newer ? "; install a newer WCAM or an older plugin" : "; rebuild the plugin");
@@ -163,6 +193,7 @@ LoadedComponents loadLibrary(const Manifest& manifest, const std::filesystem::pa
   if (!std::filesystem::is_regular_file(library, error)) {
     refuse("its library " + pathText(library) + " does not exist");
   }
+  checkElf(library);
   void* handle = dlopen(std::filesystem::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     refuse("its library cannot be loaded: " + textOf(dlerror()));

@@ -26,10 +26,10 @@ endfunction()
 #   COMPONENTS "post:com.acme.post.demo:Demo" ...      kind:id:name, kind = slicing or post
 #   [LIBRARIES ...])
 #
-# Builds <ID>.so and writes its manifest <ID>.json beside it. Within WCAM they go to the plugin folder of
-# the build tree; elsewhere to <build>/wcam-plugins, which can be named in WCAM_PLUGIN_PATH. They are
-# installed to WCAM_PLUGIN_INSTALL_DIR (default <libdir>/wcam/plugins/<ABI>); when that is set but empty
-# they are not.
+# Builds <ID>.so and writes its manifest <ID>.json beside it, in WCAM_PLUGIN_OUTPUT_DIR. Default: within
+# WCAM the plugin folder of the build tree; elsewhere <build>/wcam-plugins, which can be named in
+# WCAM_PLUGIN_PATH. They are installed to WCAM_PLUGIN_INSTALL_DIR (default <libdir>/wcam/plugins/<ABI>);
+# when that is set but empty they are not.
 function(wcam_add_plugin target)
   cmake_parse_arguments(arg "" "ID;NAME;VERSION;VENDOR;LICENCE" "SOURCES;COMPONENTS;LIBRARIES" ${ARGN})
   foreach(required ID NAME VERSION SOURCES COMPONENTS)
@@ -67,7 +67,9 @@ function(wcam_add_plugin target)
     _wcam_json_text(json_${field} "${arg_${field}}")
   endforeach()
 
-  if(TARGET wcam_engine)
+  if(WCAM_PLUGIN_OUTPUT_DIR)
+    set(folder "${WCAM_PLUGIN_OUTPUT_DIR}")
+  elseif(TARGET wcam_engine)
     set(folder "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/wcam/plugins/${WCAM_PLUGIN_ABI_MAJOR}")
   else()
     set(folder "${CMAKE_BINARY_DIR}/wcam-plugins")

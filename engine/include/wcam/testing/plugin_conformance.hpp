@@ -13,6 +13,7 @@
 #include <bit>
 #include <chrono>
 #include <clocale>
+#include <cmath>
 #include <cstdint>
 #include <stop_token>
 #include <string>
@@ -54,6 +55,9 @@ public:
 private:
   std::string before_;
 };
+
+/// Greatest deviation of the length of a unit vector of doubles after a few operations.
+inline constexpr double kUnitTolerance = 1e-9;
 
 inline void checkInfo(const plugin::ComponentInfo& info) {
   if (!isValidId(info.id) || info.id.find('.') == std::string::npos) {
@@ -243,14 +247,14 @@ inline void checkSlicing(const plugin::SlicingComponent& component,
   const auto run = [&](const JobContext& context) {
     return component.strategy->slice(input, params, context);
   };
-  constexpr double kUnitTolerance = 1e-9;
   bool deposits = false;
   for (const toolpath::SlicedLayer& layer : run(JobContext()).layers) {
     deposits = deposits || !layer.contours.empty();
     for (const toolpath::Contour& contour : layer.contours) {
-      const bool unit = std::all_of(
-          contour.points.begin(), contour.points.end(),
-          [](const auto& point) { return std::abs(point.n.norm() - 1.0) <= kUnitTolerance; });
+      const bool unit =
+          std::all_of(contour.points.begin(), contour.points.end(), [](const auto& point) {
+            return std::abs(point.n.norm() - 1.0) <= detail::kUnitTolerance;
+          });
       if (!unit) {
         detail::broken(id, "a normal is not of length 1");
       }

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "probe.hpp"
+
+namespace {
+
+void registerComponents(wcam::plugin::Registrar& registrar) {
+  probe::addPost(registrar, "probe.another");
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.probe.unregistered", "1.0.0", registerComponents);

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "probe.hpp"
+
+extern "C" __attribute__((visibility("default"))) const wcam_plugin_descriptor* wcam_plugin_entry(
+    void) {
+  static const wcam_plugin_descriptor kDescriptor = {
+      sizeof(wcam_plugin_descriptor),
+      WCAM_PLUGIN_ABI_MAJOR,
+      WCAM_PLUGIN_ABI_MINOR,
+      "org.wcam.probe.wrong_fingerprint",
+      "1.0.0",
+      "gxx1017;libstdc++-cxx11abi1;eigen32;plain",
+      [](void* registrar) {
+        probe::addPost(*static_cast<wcam::plugin::Registrar*>(registrar),
+                       "probe.wrong_fingerprint");
+      }};
+  return &kDescriptor;
+}
