@@ -45,6 +45,25 @@ std::string_view formatExactly(LongNumber& buffer, double value, int decimals) {
 
 const std::array<char, 200> kDigitPairs = digitPairs();
 
+char* writeLarge(char* out, std::uint64_t number) noexcept {
+  char digits[20];
+  char* begin = digits + sizeof digits;
+  while (number >= 100) {
+    begin -= 2;
+    std::memcpy(begin, kDigitPairs.data() + 2 * (number % 100), 2);
+    number /= 100;
+  }
+  if (number >= 10) {
+    begin -= 2;
+    std::memcpy(begin, kDigitPairs.data() + 2 * number, 2);
+  } else {
+    *--begin = static_cast<char>('0' + number);
+  }
+  const auto size = static_cast<std::size_t>(digits + sizeof digits - begin);
+  std::memcpy(out, begin, size);
+  return out + size;
+}
+
 std::uint64_t roundScaledExactly(double magnitude, int decimals) {
   constexpr std::uint64_t kLimit = 1'000'000'000'000'000'000U;
   LongNumber buffer;

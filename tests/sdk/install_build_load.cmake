@@ -8,7 +8,6 @@ function(run)
     string(REPLACE ";" " " command "${ARGN}")
     message(FATAL_ERROR "failed (${result}): ${command}\n${output}")
   endif()
-  message(STATUS "${output}")
 endfunction()
 
 set(flags "")

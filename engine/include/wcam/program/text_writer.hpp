@@ -5,6 +5,7 @@
 #include "wcam/base/error.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -49,24 +50,30 @@ inline bool roundScaled(double magnitude, double power, std::uint64_t& rounded) 
 /// whose digits do not fit 64 bits
 std::uint64_t roundScaledExactly(double magnitude, int decimals);
 
+/// Digits of a number below 10000, without branches on its size. Writes 4 characters.
+/// @return past the last digit
+inline char* writeSmall(char* out, std::uint32_t number) noexcept {
+  static_assert(std::endian::native == std::endian::little, "the first digit is the lowest byte");
+  char digits[8];
+  std::memcpy(digits, kDigitPairs.data() + 2 * (number / 100), 2);
+  std::memcpy(digits + 2, kDigitPairs.data() + 2 * (number % 100), 2);
+  const std::size_t leading = static_cast<std::size_t>(number < 1000) +
+                              static_cast<std::size_t>(number < 100) +
+                              static_cast<std::size_t>(number < 10);
+  std::uint64_t word = 0;
+  std::memcpy(&word, digits, 4);
+  word >>= 8 * leading;
+  std::memcpy(out, &word, 4);
+  return out + 4 - leading;
+}
+
 /// Digits of a whole number, at most 20. @return past the last one
+char* writeLarge(char* out, std::uint64_t number) noexcept;
+
 inline char* writeWhole(char* out, std::uint64_t number) noexcept {
-  char digits[20];
-  char* begin = digits + sizeof digits;
-  while (number >= 100) {
-    begin -= 2;
-    std::memcpy(begin, kDigitPairs.data() + 2 * (number % 100), 2);
-    number /= 100;
-  }
-  if (number >= 10) {
-    begin -= 2;
-    std::memcpy(begin, kDigitPairs.data() + 2 * number, 2);
-  } else {
-    *--begin = static_cast<char>('0' + number);
-  }
-  const auto size = static_cast<std::size_t>(digits + sizeof digits - begin);
-  std::memcpy(out, begin, size);
-  return out + size;
+  constexpr std::uint64_t kSmall = 10000;
+  return number < kSmall ? writeSmall(out, static_cast<std::uint32_t>(number))
+                         : writeLarge(out, number);
 }
 
 /// Exactly `decimals` digits. @return past the last one
@@ -82,6 +89,18 @@ inline char* writeFraction(char* out, std::uint64_t fraction, int decimals) noex
     *--at = static_cast<char>('0' + fraction);
   }
   return end;
+}
+
+/// The same with decimals that the compiler knows.
+template <int Decimals>
+char* writeFraction(char* out, std::uint64_t fraction) noexcept {
+  if constexpr (Decimals >= 2) {
+    writeFraction<Decimals - 2>(out, fraction / 100);
+    std::memcpy(out + Decimals - 2, kDigitPairs.data() + 2 * (fraction % 100), 2);
+  } else if constexpr (Decimals == 1) {
+    *out = static_cast<char>('0' + fraction);
+  }
+  return out + Decimals;
 }
 
 }  // namespace detail
@@ -146,9 +165,16 @@ public:
     if (!detail::roundScaled(std::abs(value), detail::kPowers[Decimals], rounded)) {
       return fixedSlowly(value, Decimals);
     }
+    constexpr std::uint64_t kPower = detail::kIntegerPowers[Decimals];
     char* const begin = room(kNumberSize);
-    size_ += static_cast<std::size_t>(
-        write(begin, value < 0.0, rounded, Decimals, detail::kIntegerPowers[Decimals]) - begin);
+    *begin = '-';
+    char* out = begin + static_cast<std::size_t>(value < 0.0 && rounded != 0);
+    out = detail::writeWhole(out, rounded / kPower);
+    if constexpr (Decimals > 0) {
+      *out++ = '.';
+      out = detail::writeFraction<Decimals>(out, rounded % kPower);
+    }
+    size_ += static_cast<std::size_t>(out - begin);
     return *this;
   }
 
@@ -161,6 +187,9 @@ public:
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
   [[nodiscard]] std::string_view view() const noexcept { return {buffer_.data(), size_}; }
+
+  /// Forgets what was written and keeps the memory.
+  void clear() noexcept { size_ = 0; }
 
   /// Hands over what was written; the writer is empty afterwards.
   [[nodiscard]] std::string take();
