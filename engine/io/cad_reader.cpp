@@ -294,11 +294,19 @@ CadModel readBrep(const std::filesystem::path& file,
                   const JobContext& context) {
   MemoryBuffer buffer(bytes, context);
   std::istream stream(&buffer);
+  // The readers do not look at the state of the stream: in a damaged file they would go on for
+  // billions of items that are not there.
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
   TopoDS_Shape shape;
-  if (binary) {
-    BinTools::Read(shape, stream);
-  } else {
-    BRepTools::Read(shape, stream, BRep_Builder());
+  try {
+    if (binary) {
+      BinTools::Read(shape, stream);
+    } else {
+      BRepTools::Read(shape, stream, BRep_Builder());
+    }
+  } catch (const std::ios_base::failure&) {
+    context.check();
+    cannotRead(file, "BREP", session);
   }
   context.check();
   if (shape.IsNull()) {
