@@ -3,7 +3,7 @@
 
 #include "wcam/toolpath/build.hpp"
 
-#include "wcam/base/parallel.hpp"
+#include "wcam/base/text.hpp"
 #include "wcam/toolpath/layer_distance.hpp"
 #include "wcam/toolpath/tool_axis.hpp"
 
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace wcam::toolpath {
@@ -167,27 +168,86 @@ Bead makeBead(const Contour& contour,
   return bead;
 }
 
-/// Distances of a layer's points to the layer below, or to the substrate for the first one.
+/// A bead that is nowhere nearer to what lies below it than this many nominal heights hangs in the
+/// air.
+constexpr double kUnsupported = 2.0;
+
+/// Distances of a layer's points to the layer below or to the substrate, whichever is nearer.
 void setDistances(Layer& layer,
                   const SlicedLayer& sliced,
                   const SlicedLayer* below,
                   const Substrate& substrate) {
-  for (Bead& bead : layer.beads) {
-    std::vector<Vec3> points;
-    points.reserve(bead.points.size());
+  std::vector<Vec3> points;
+  for (const Bead& bead : layer.beads) {
     for (const PathPoint& point : bead.points) {
       points.push_back(point.p);
     }
-    std::vector<double> distance;
-    if (below != nullptr) {
-      distance = layerDistance(points, below->contours);
+  }
+  const std::vector<double> toLayer =
+      below != nullptr
+          ? layerDistance(points, below->contours)
+          : std::vector<double>(points.size(), std::numeric_limits<double>::infinity());
+  // A layer on the substrate itself has no height of its own: the wanted one holds.
+  const double onSubstrate = 1e-6 * sliced.nominalHeight;
+  std::size_t i = 0;
+  for (Bead& bead : layer.beads) {
+    for (PathPoint& point : bead.points) {
+      const double above = substrate.heightAbove(point.p);
+      const double nearest = above > onSubstrate ? std::min(toLayer[i], above) : toLayer[i];
+      const bool known = std::isfinite(nearest) && nearest > onSubstrate;
+      point.distance = point.height = known ? nearest : sliced.nominalHeight;
+      ++i;
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double d = below != nullptr ? distance[i] : substrate.heightAbove(points[i]);
-      // A first layer on the substrate itself has no height of its own: the wanted one holds.
-      bead.points[i].distance = bead.points[i].height =
-          d > 1e-6 * sliced.nominalHeight ? d : sliced.nominalHeight;
+  }
+}
+
+void reportUnsupported(const Layer& layer,
+                       int layerIndex,
+                       double nominalHeight,
+                       const JobContext& context) {
+  for (std::size_t b = 0; b < layer.beads.size(); ++b) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const PathPoint& point : layer.beads[b].points) {
+      nearest = std::min(nearest, point.distance);
     }
+    if (nearest > kUnsupported * nominalHeight) {
+      context.add(
+          {Severity::Warning,
+           "toolpath.unsupported",
+           "a bead lies " + formatFixed(nearest, 2) + " mm or more above everything below it",
+           "build this place on something: another order, a support or another build direction",
+           {{}, layerIndex, static_cast<int>(b), -1},
+           {{"distance_mm", nearest}}});
+    }
+  }
+}
+
+/// Points of the first layer beside the plate.
+void reportOutsidePlate(const Layer& first, const Substrate& substrate, const JobContext& context) {
+  if (!substrate.isPlate()) {
+    return;
+  }
+  const geometry::Pose T_substrate_part = substrate.pose().inverse();
+  const Vec3 half = 0.5 * substrate.size();
+  std::size_t outside = 0;
+  double farthest = 0.0;
+  for (const Bead& bead : first.beads) {
+    for (const PathPoint& point : bead.points) {
+      const Vec3 p = T_substrate_part * point.p;
+      const double excess = std::max(std::abs(p.x()) - half.x(), std::abs(p.y()) - half.y());
+      outside += excess > 0.0 ? 1U : 0U;
+      farthest = std::max(farthest, excess);
+    }
+  }
+  if (outside > 0) {
+    context.add({Severity::Warning,
+                 "toolpath.outside_plate",
+                 std::to_string(outside) +
+                     " points of the first layer lie beside the plate, up to " +
+                     formatFixed(farthest, 1) + " mm",
+                 "move the part or choose a larger plate",
+                 {{}, 0, -1, -1},
+                 {{"points", static_cast<double>(outside)}, {"excess_mm", farthest}}});
   }
 }
 
@@ -210,8 +270,12 @@ Toolpath buildToolpath(const SlicedLayers& sliced,
       layer.beads.push_back(makeBead(ordered.contour, source, substrate, ordered.reversed, params));
     }
     setDistances(layer, source, l > 0 ? &sliced.layers[l - 1] : nullptr, substrate);
+    reportUnsupported(layer, static_cast<int>(l), source.nominalHeight, context);
     path.layers.push_back(std::move(layer));
     context.report(static_cast<double>(l + 1) / static_cast<double>(sliced.layers.size()));
+  }
+  if (!path.layers.empty()) {
+    reportOutsidePlate(path.layers.front(), substrate, context);
   }
   return path;
 }

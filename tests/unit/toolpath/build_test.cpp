@@ -165,6 +165,26 @@ TEST(BuildToolpath, LeadLeansTheAxisForward) {
   }
 }
 
+TEST(BuildToolpath, BeadsInTheAirAndBesideThePlateAreReported) {
+  geometry::TriangleMesh hanging = test::tubeMesh(8.0, 10.0, 60, 10);
+  for (Vec3& v : hanging.vertices) {
+    v += Vec3(120.0, 0.0, 10.0);
+  }
+  plugin::SliceInput input{
+      {test::meshSurface(test::tubeMesh(20.0, 21.0, 90, 21)), test::meshSurface(hanging)},
+      test::plate(),
+      nullptr,
+      {}};
+  const SlicedLayers sliced = test::slice("wcam.slicing.planar", input, R"({"step": 2.0})");
+  JobContext context;
+  (void)buildToolpath(sliced, *test::plate(), PathParams{}, context);
+  EXPECT_EQ(context.diagnostics().count("toolpath.unsupported"), 1U);
+  EXPECT_EQ(context.diagnostics().count("toolpath.outside_plate"), 0U);
+  const Substrate small(geometry::Pose::Identity(), Vec3(30, 100, 10));
+  (void)buildToolpath(sliced, small, PathParams{}, context);
+  EXPECT_EQ(context.diagnostics().count("toolpath.outside_plate"), 1U);
+}
+
 TEST(BuildToolpath, SeveralPartsShareALayer) {
   geometry::TriangleMesh second = test::tubeMesh(8.0, 21.0, 60, 21);
   for (Vec3& v : second.vertices) {

@@ -47,8 +47,10 @@ struct PathParams {
 };
 
 /// Orders the contours of each layer, chooses seams and directions, and gives every point its frame
-/// (t, n, b), its inter-layer distance and its tool axis. The distance of the first layer is its
-/// height above the substrate.
+/// (t, n, b), its inter-layer distance and its tool axis. The distance is the one to the layer
+/// below or to the substrate, whichever is nearer.
+///
+/// Findings: toolpath.unsupported (a bead in the air), toolpath.outside_plate.
 Toolpath buildToolpath(const SlicedLayers& sliced,
                        const Substrate& substrate,
                        const PathParams& params,
