@@ -7,19 +7,30 @@
 #include "wcam/base/parallel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 namespace wcam::geometry {
 
 namespace {
 
 constexpr std::uint32_t kNone = HalfEdges::kNone;
-/// Levels traced together: their nodes stay in the second-level cache for meshes of a million
-/// triangles.
-constexpr std::size_t kSlab = 16;
 constexpr std::size_t kVertexGrain = 16384;
+constexpr std::size_t kTriangleGrain = 32768;
+constexpr std::size_t kLevelGrain = 8;
+/// Mesh edges are numbered in at most so many chunks, each with its own count per level.
+constexpr std::size_t kEdgeChunks = 16;
+constexpr std::size_t kLeastEdgeGrain = 32768;
+/// Nodes that are traced at a time (one level may have more): bounds the working memory to some
+/// 200 MB.
+constexpr std::size_t kBlockNodes = std::size_t{1} << 24;
 
+/// Traces in four sweeps, each a stream over one array: the vertices count the levels at or below
+/// them; the edges number their nodes level by level; the triangles link the nodes; the levels
+/// follow the links. Only the last one jumps, within the nodes of one level.
 class Tracer {
 public:
   Tracer(const TriangleMesh& mesh,
@@ -34,35 +45,27 @@ public:
 
   std::vector<std::vector<LevelContour>> run(const JobContext& context) {
     std::vector<std::vector<LevelContour>> result(levels_.size());
-    sortEdgesIntoSlabs();
-    const std::size_t slabs = slabStart_.size() - 1;
-    const std::size_t perTask = std::max<std::size_t>(1, (slabs + 7) / 8);
-    parallelForChunks(
-        slabs, perTask,
-        [&](std::size_t begin, std::size_t end) {
-          Workspace workspace;
-          workspace.offset.resize(edgeVertexCount());
-          for (std::size_t slab = begin; slab < end; ++slab) {
-            context.check();
-            traceSlab(slab, workspace, result);
-          }
-        },
-        context);
+    countNodes(context);
+    base_.resize(traceEdgeCount());
+    for (std::uint32_t low = 0; low < levels_.size();) {
+      const std::uint32_t high = blockEnd(low);
+      traceBlock(low, high, result, context);
+      low = high;
+    }
     return result;
   }
 
 private:
-  /// Per task, reused between slabs.
-  struct Workspace {
-    std::vector<std::uint32_t> offset;  ///< per mesh edge: first node minus its first level
-    std::vector<std::uint32_t> next, entry;
-    std::vector<std::uint8_t> state;
-  };
-
   static constexpr std::uint8_t kHasPrevious = 1;
   static constexpr std::uint8_t kVisited = 2;
 
-  [[nodiscard]] std::size_t edgeVertexCount() const {
+  /// A range of levels that is traced at once.
+  struct Block {
+    std::uint32_t low, high;
+  };
+
+  /// Mesh edges; each half-edge at a non-manifold edge is a trace edge of its own.
+  [[nodiscard]] std::size_t traceEdgeCount() const {
     return halfEdges_.edgeCount() + extraEdges_.size();
   }
 
@@ -72,10 +75,6 @@ private:
 
   [[nodiscard]] std::uint32_t endOf(std::uint32_t h) const {
     return mesh_.triangles[h / 3][(h % 3 + 1) % 3];
-  }
-
-  [[nodiscard]] static std::uint32_t nextInTriangle(std::uint32_t h) {
-    return h % 3 == 2 ? h - 2 : h + 1;
   }
 
   [[nodiscard]] std::uint32_t edgeOf(std::uint32_t h) const {
@@ -111,8 +110,7 @@ private:
           // A guess by arithmetic, made exact by comparing with its neighbours.
           const double guess =
               std::clamp((value - first) / step, -1.0, static_cast<double>(levels_.size()));
-          k = static_cast<std::size_t>(std::max(0.0, std::floor(guess) + 1.0));
-          k = std::min(k, levels_.size());
+          k = std::min(static_cast<std::size_t>(guess + 1.0), levels_.size());
           while (k > 0 && levels_[k - 1] > value) {
             --k;
           }
@@ -156,151 +154,207 @@ private:
     nonManifold_ = std::move(bad);
   }
 
-  /// Half-edge of trace edge e along which the field rises, or kNone; and any half-edge of it.
-  [[nodiscard]] std::uint32_t risingHalfEdge(std::uint32_t e, std::uint32_t& some) const {
-    const bool extra = e >= halfEdges_.edgeCount();
-    some = extra ? extraEdges_[e - halfEdges_.edgeCount()] : halfEdges_.halfEdgeOf(e);
-    if (count_[startOf(some)] < count_[endOf(some)]) {
-      return some;
-    }
-    return extra ? kNone : halfEdges_.twin(some);
-  }
-
-  bool levelRange(std::uint32_t e, std::uint32_t& low, std::uint32_t& high) const {
-    const bool extra = e >= halfEdges_.edgeCount();
-    if (!extra && !nonManifold_.empty() && nonManifold_[e] != 0) {
-      return false;
-    }
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    if (extra) {
-      a = startOf(extraEdges_[e - halfEdges_.edgeCount()]);
-      b = endOf(extraEdges_[e - halfEdges_.edgeCount()]);
+  /// Levels that cross a trace edge within a block.
+  [[nodiscard]] Block crossings(std::uint32_t e, const Block& block) const {
+    std::array<std::uint32_t, 2> ends{};
+    if (e >= halfEdges_.edgeCount()) {
+      const std::uint32_t h = extraEdges_[e - halfEdges_.edgeCount()];
+      ends = {startOf(h), endOf(h)};
+    } else if (!nonManifold_.empty() && nonManifold_[e] != 0) {
+      return {0, 0};
     } else {
-      a = halfEdges_.edgeVertices(e)[0];
-      b = halfEdges_.edgeVertices(e)[1];
+      ends = halfEdges_.edgeVertices(e);
     }
-    low = std::min(count_[a], count_[b]);
-    high = std::max(count_[a], count_[b]);
-    return high != kNone && low < high;
+    const std::uint32_t a = count_[ends[0]];
+    const std::uint32_t b = count_[ends[1]];
+    const std::uint32_t low = std::max(std::min(a, b), block.low);
+    const std::uint32_t high = std::min(std::max(a, b), block.high);
+    if (a == kNone || b == kNone || low >= high) {
+      return {0, 0};
+    }
+    return {low, high};
   }
 
-  void sortEdgesIntoSlabs() {
-    const std::size_t slabs = (levels_.size() + kSlab - 1) / kSlab;
-    slabStart_.assign(slabs + 1, 0);
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    const auto edges = static_cast<std::uint32_t>(edgeVertexCount());
-    for (std::uint32_t e = 0; e < edges; ++e) {
-      if (levelRange(e, low, high)) {
-        for (std::size_t s = low / kSlab; s <= (high - 1) / kSlab; ++s) {
-          ++slabStart_[s + 1];
-        }
-      }
-    }
-    for (std::size_t s = 0; s < slabs; ++s) {
-      slabStart_[s + 1] += slabStart_[s];
-    }
-    slabEdges_.resize(slabStart_.back());
-    std::vector<std::size_t> fill(slabStart_.begin(), slabStart_.end() - 1);
-    for (std::uint32_t e = 0; e < edges; ++e) {
-      if (levelRange(e, low, high)) {
-        for (std::size_t s = low / kSlab; s <= (high - 1) / kSlab; ++s) {
-          slabEdges_[fill[s]++] = e;
-        }
+  /// Calls body(chunk, crossed edge, crossings) for the edges of each chunk in their order.
+  template <class Body>
+  void forCrossedEdges(const Block& block, const Body& body, const JobContext& context) const {
+    parallelForChunks(
+        traceEdgeCount(), edgeGrain_,
+        [&](std::size_t begin, std::size_t end) {
+          const std::size_t chunk = begin / edgeGrain_;
+          for (std::size_t e = begin; e < end; ++e) {
+            const Block levels = crossings(static_cast<std::uint32_t>(e), block);
+            if (levels.low < levels.high) {
+              body(chunk, e, levels);
+            }
+          }
+        },
+        context);
+  }
+
+  /// Counts the nodes of every edge chunk and level.
+  void countNodes(const JobContext& context) {
+    edgeGrain_ = std::max(kLeastEdgeGrain, traceEdgeCount() / kEdgeChunks + 1);
+    const std::size_t chunks = (traceEdgeCount() + edgeGrain_ - 1) / edgeGrain_;
+    const std::size_t width = levels_.size() + 1;
+    // First differences from level to level; unsigned wrap-around cancels in the sums.
+    chunkNodes_.assign(chunks, std::vector<std::uint32_t>(width, 0));
+    forCrossedEdges(
+        {0, static_cast<std::uint32_t>(levels_.size())},
+        [&](std::size_t chunk, std::size_t, const Block& levels) {
+          ++chunkNodes_[chunk][levels.low];
+          --chunkNodes_[chunk][levels.high];
+        },
+        context);
+    levelNodes_.assign(width, 0);
+    for (std::vector<std::uint32_t>& nodes : chunkNodes_) {
+      for (std::size_t l = 0; l < width; ++l) {
+        nodes[l] += l > 0 ? nodes[l - 1] : 0;
+        levelNodes_[l] += nodes[l];
       }
     }
   }
 
-  void traceSlab(std::size_t slab,
-                 Workspace& w,
-                 std::vector<std::vector<LevelContour>>& result) const {
-    const auto slabLow = static_cast<std::uint32_t>(slab * kSlab);
-    const auto slabHigh = static_cast<std::uint32_t>(std::min(levels_.size(), (slab + 1) * kSlab));
+  [[nodiscard]] std::uint32_t blockEnd(std::uint32_t low) const {
+    std::size_t nodes = levelNodes_[low];
+    std::uint32_t high = low + 1;
+    while (high < levels_.size() && nodes + levelNodes_[high] <= kBlockNodes) {
+      nodes += levelNodes_[high];
+      ++high;
+    }
+    return high;
+  }
+
+  void traceBlock(std::uint32_t low,
+                  std::uint32_t high,
+                  std::vector<std::vector<LevelContour>>& result,
+                  const JobContext& context) {
+    const Block block{low, high};
+    numberNodes(block, context);
+    next_.assign(nodeOf_.size(), kNone);
+    entry_.resize(nodeOf_.size());
+    state_.assign(nodeOf_.size(), 0);
+    parallelFor(
+        mesh_.triangles.size(), kTriangleGrain,
+        [&](std::size_t t) { linkTriangle(static_cast<std::uint32_t>(t), block); }, context);
+    joinAtNonManifold(block);
+    parallelForChunks(
+        high - low, kLevelGrain,
+        [&](std::size_t begin, std::size_t end) {
+          std::vector<std::uint32_t> chain;
+          for (std::size_t l = low + begin; l < low + end; ++l) {
+            followLevel(static_cast<std::uint32_t>(l), levelStart_[l - low],
+                        levelStart_[l - low + 1], chain, result[l]);
+          }
+        },
+        context);
+  }
+
+  /// Numbers the nodes of a block by level, then by edge.
+  void numberNodes(const Block& block, const JobContext& context) {
+    const std::size_t chunks = chunkNodes_.size();
+    const std::size_t width = block.high - block.low;
+    levelStart_.assign(width + 1, 0);
+    std::vector<std::vector<std::uint32_t>> fill(chunks, std::vector<std::uint32_t>(width));
+    std::vector<std::uint32_t> chunkStart(chunks, 0);
     std::uint32_t nodes = 0;
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    for (std::size_t i = slabStart_[slab]; i < slabStart_[slab + 1]; ++i) {
-      const std::uint32_t e = slabEdges_[i];
-      levelRange(e, low, high);
-      low = std::max(low, slabLow);
-      w.offset[e] = nodes - low;  // unsigned wrap-around cancels when a level is added
-      nodes += std::min(high, slabHigh) - low;
+    for (std::size_t l = 0; l < width; ++l) {
+      levelStart_[l] = nodes;
+      for (std::size_t c = 0; c < chunks; ++c) {
+        fill[c][l] = nodes;
+        nodes += chunkNodes_[c][block.low + l];
+      }
     }
-    w.next.assign(nodes, kNone);
-    w.entry.resize(nodes);
-    w.state.assign(nodes, 0);
-    for (std::size_t i = slabStart_[slab]; i < slabStart_[slab + 1]; ++i) {
-      linkEdge(slabEdges_[i], slabLow, slabHigh, w);
+    levelStart_[width] = nodes;
+    for (std::size_t c = 0, sum = 0; c < chunks; ++c) {
+      chunkStart[c] = static_cast<std::uint32_t>(sum);
+      const auto begin = chunkNodes_[c].begin() + block.low;
+      sum = std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(width), sum);
     }
-    joinAtNonManifold(slab, slabLow, slabHigh, w);
-    follow(slab, slabLow, slabHigh, w, result);
+    nodeOf_.resize(nodes);
+    forCrossedEdges(
+        block,
+        [&](std::size_t chunk, std::size_t e, const Block& levels) {
+          std::uint32_t& place = chunkStart[chunk];
+          base_[e] = place - levels.low;  // unsigned wrap-around cancels when a level is added
+          for (std::uint32_t l = levels.low; l < levels.high; ++l) {
+            nodeOf_[place++] = fill[chunk][l - block.low]++;
+          }
+        },
+        context);
   }
 
-  /// Links every node of an edge to the node through which the curve leaves the entered triangle.
-  void linkEdge(std::uint32_t e,
-                std::uint32_t slabLow,
-                std::uint32_t slabHigh,
-                Workspace& w) const {
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    levelRange(e, low, high);
-    std::uint32_t some = kNone;
-    const std::uint32_t h = risingHalfEdge(e, some);
-    low = std::max(low, slabLow);
-    high = std::min(high, slabHigh);
-    if (h == kNone) {
-      for (std::uint32_t l = low; l < high; ++l) {
-        w.entry[w.offset[e] + l] = some;
-      }
+  [[nodiscard]] std::uint32_t node(std::uint32_t edge, std::uint32_t level) const {
+    return nodeOf_[base_[edge] + level];
+  }
+
+  /// Links the nodes through which curves enter a triangle (field rising along its half-edge) to
+  /// those through which they leave it. Every node is written by one triangle.
+  void linkTriangle(std::uint32_t t, const Block& block) {
+    const auto& corners = mesh_.triangles[t];
+    const std::array<std::uint32_t, 3> count{count_[corners[0]], count_[corners[1]],
+                                             count_[corners[2]]};
+    if (count[0] == count[1] && count[1] == count[2]) {
       return;
     }
-    const std::uint32_t h1 = nextInTriangle(h);
-    const std::uint32_t h2 = nextInTriangle(h1);
-    const std::uint32_t apex = count_[startOf(h2)];
-    for (std::uint32_t l = low; l < high; ++l) {
-      const std::uint32_t node = w.offset[e] + l;
-      w.entry[node] = h;
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const std::uint32_t c1 = c == 2 ? 0 : c + 1;
+      const std::uint32_t c2 = c == 0 ? 2 : c - 1;
+      const std::uint32_t h = 3 * t + c;
+      if (count[c] == kNone || count[c1] == kNone) {
+        continue;
+      }
+      const std::uint32_t low = std::max(std::min(count[c], count[c1]), block.low);
+      const std::uint32_t high = std::min(std::max(count[c], count[c1]), block.high);
+      if (low >= high) {
+        continue;
+      }
+      if (count[c] < count[c1]) {
+        linkHalfEdge(h, {3 * t + c1, 3 * t + c2}, count[c2], {low, high});
+      } else if (!halfEdges_.closed() && halfEdges_.twin(h) == kNone) {
+        for (std::uint32_t l = low; l < high; ++l) {
+          entry_[node(edgeOf(h), l)] = h;  // the curve leaves the mesh
+        }
+      }
+    }
+  }
+
+  /// @param exits the half-edges after h
+  /// @param apex levels at or below the corner opposite to h
+  void linkHalfEdge(std::uint32_t h,
+                    const std::array<std::uint32_t, 2>& exits,
+                    std::uint32_t apex,
+                    const Block& levels) {
+    const std::uint32_t edge = edgeOf(h);
+    for (std::uint32_t l = levels.low; l < levels.high; ++l) {
+      const std::uint32_t from = node(edge, l);
+      entry_[from] = h;
       if (apex == kNone) {
         continue;  // the triangle reaches out of the field
       }
       // Falls from the end of h to the apex when the apex is below the level, else from the apex to
       // the start.
-      const std::uint32_t exit = apex <= l ? h1 : h2;
-      const std::uint32_t successor = w.offset[edgeOf(exit)] + l;
-      w.next[node] = successor;
-      w.state[successor] = kHasPrevious;
+      const std::uint32_t to = node(edgeOf(apex <= l ? exits[0] : exits[1]), l);
+      next_[from] = to;
+      state_[to] = kHasPrevious;
     }
   }
 
   /// Joins the ends and the starts of curves that meet on one non-manifold mesh edge at one level.
-  void joinAtNonManifold(std::size_t slab,
-                         std::uint32_t slabLow,
-                         std::uint32_t slabHigh,
-                         Workspace& w) const {
-    if (extraEdges_.empty()) {
-      return;
-    }
-
+  void joinAtNonManifold(const Block& block) {
     struct Loose {
       std::uint32_t edge, level, node;
       bool start;
     };
 
     std::vector<Loose> loose;
-    for (std::size_t i = slabStart_[slab]; i < slabStart_[slab + 1]; ++i) {
-      const std::uint32_t e = slabEdges_[i];
-      if (e < halfEdges_.edgeCount()) {
-        continue;
-      }
-      std::uint32_t low = 0;
-      std::uint32_t high = 0;
-      levelRange(e, low, high);
-      for (std::uint32_t l = std::max(low, slabLow); l < std::min(high, slabHigh); ++l) {
-        const std::uint32_t node = w.offset[e] + l;
-        const bool start = (w.state[node] & kHasPrevious) == 0 && w.next[node] != kNone;
-        loose.push_back(
-            {halfEdges_.edgeOf(extraEdges_[e - halfEdges_.edgeCount()]), l, node, start});
+    for (std::size_t i = 0; i < extraEdges_.size(); ++i) {
+      const auto e = static_cast<std::uint32_t>(halfEdges_.edgeCount() + i);
+      const Block levels = crossings(e, block);
+      for (std::uint32_t l = levels.low; l < levels.high; ++l) {
+        const std::uint32_t n = node(e, l);
+        const bool start = (state_[n] & kHasPrevious) == 0 && next_[n] != kNone;
+        loose.push_back({halfEdges_.edgeOf(extraEdges_[i]), l, n, start});
       }
     }
     std::sort(loose.begin(), loose.end(), [](const Loose& a, const Loose& b) {
@@ -317,71 +371,79 @@ private:
       }
       const std::size_t ends = end - i - starts;
       for (std::size_t k = 0; k < std::min(starts, ends); ++k) {
-        w.next[loose[i + k].node] = loose[i + ends + k].node;
-        w.state[loose[i + ends + k].node] |= kHasPrevious;
+        next_[loose[i + k].node] = loose[i + ends + k].node;
+        state_[loose[i + ends + k].node] |= kHasPrevious;
       }
       i = end;
     }
   }
 
-  void follow(std::size_t slab,
-              std::uint32_t slabLow,
-              std::uint32_t slabHigh,
-              Workspace& w,
-              std::vector<std::vector<LevelContour>>& result) const {
+  /// Makes the contours of the nodes [begin, end) of a level. `chain` is working memory.
+  void followLevel(std::uint32_t level,
+                   std::uint32_t begin,
+                   std::uint32_t end,
+                   std::vector<std::uint32_t>& chain,
+                   std::vector<LevelContour>& contours) {
     // Open curves from their starts first, then the loops.
     for (const bool open : {true, false}) {
-      for (std::size_t i = slabStart_[slab]; i < slabStart_[slab + 1]; ++i) {
-        const std::uint32_t e = slabEdges_[i];
-        std::uint32_t low = 0;
-        std::uint32_t high = 0;
-        levelRange(e, low, high);
-        for (std::uint32_t l = std::max(low, slabLow); l < std::min(high, slabHigh); ++l) {
-          const std::uint32_t node = w.offset[e] + l;
-          const bool isStart = (w.state[node] & kHasPrevious) == 0;
-          if ((w.state[node] & kVisited) != 0 || isStart != open ||
-              (open && w.next[node] == kNone)) {
-            continue;
-          }
-          LevelContour contour = followFrom(node, l, w);
-          contour.closed = !open;
-          finish(contour);
-          result[l].push_back(std::move(contour));
+      for (std::uint32_t first = begin; first < end; ++first) {
+        const bool isStart = (state_[first] & kHasPrevious) == 0;
+        if ((state_[first] & kVisited) != 0 || isStart != open || (open && next_[first] == kNone)) {
+          continue;
         }
+        chain.clear();
+        for (std::uint32_t n = first; n != kNone && (state_[n] & kVisited) == 0; n = next_[n]) {
+          state_[n] |= kVisited;
+          chain.push_back(entry_[n]);
+        }
+        contours.push_back(makeContour(level, !open, chain));
       }
     }
   }
 
-  LevelContour followFrom(std::uint32_t first, std::uint32_t level, Workspace& w) const {
+  /// @param entries per node the half-edge
+  [[nodiscard]] LevelContour makeContour(std::uint32_t level,
+                                         bool closed,
+                                         const std::vector<std::uint32_t>& entries) const {
     LevelContour contour;
-    for (std::uint32_t node = first; node != kNone && (w.state[node] & kVisited) == 0;
-         node = w.next[node]) {
-      w.state[node] |= kVisited;
-      const std::uint32_t h = w.entry[node];
-      const double a = scalar_[startOf(h)];
-      const double b = scalar_[endOf(h)];
-      const Vec3& p = mesh_.vertices[startOf(h)];
-      const Vec3& q = mesh_.vertices[endOf(h)];
-      contour.halfEdges.push_back(h);
-      // A snapped vertex is the node itself, so that curves through a vertex have equal nodes.
-      if (std::abs(levels_[level] - a) <= snap_) {
-        contour.fractions.push_back(0.0);
-        contour.points.push_back(p);
-      } else if (std::abs(levels_[level] - b) <= snap_) {
-        contour.fractions.push_back(1.0);
-        contour.points.push_back(q);
-      } else {
-        const double fraction = std::clamp((levels_[level] - a) / (b - a), 0.0, 1.0);
-        contour.fractions.push_back(fraction);
-        contour.points.push_back(p + fraction * (q - p));
-      }
+    contour.closed = closed;
+    contour.halfEdges = entries;
+    contour.points.resize(entries.size());
+    contour.fractions.resize(entries.size());
+    bool repeats = false;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      placeNode(entries[i], levels_[level], contour.points[i], contour.fractions[i]);
+      repeats = repeats || (i > 0 && contour.points[i] == contour.points[i - 1]);
+    }
+    if (repeats || contour.points.front() == contour.points.back()) {
+      removeRepeats(contour);
     }
     return contour;
   }
 
+  void placeNode(std::uint32_t h, double level, Vec3& point, double& fraction) const {
+    const std::uint32_t start = startOf(h);
+    const std::uint32_t end = endOf(h);
+    const double a = scalar_[start];
+    const double b = scalar_[end];
+    const Vec3& p = mesh_.vertices[start];
+    const Vec3& q = mesh_.vertices[end];
+    // A snapped vertex is the node itself, so that curves through a vertex have equal nodes.
+    if (std::abs(level - a) <= snap_) {
+      fraction = 0.0;
+      point = p;
+    } else if (std::abs(level - b) <= snap_) {
+      fraction = 1.0;
+      point = q;
+    } else {
+      fraction = std::clamp((level - a) / (b - a), 0.0, 1.0);
+      point = p + fraction * (q - p);
+    }
+  }
+
   /// Removes nodes that coincide with their successor (curve through a vertex); keeps the last of a
   /// run, whose triangle holds the segment that follows.
-  static void finish(LevelContour& contour) {
+  static void removeRepeats(LevelContour& contour) {
     const std::size_t n = contour.points.size();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -409,8 +471,15 @@ private:
   std::vector<std::uint32_t> count_;  ///< levels at or below each vertex; kNone outside the field
   std::vector<std::uint32_t> extraEdges_, extraEdgeOf_;
   std::vector<std::uint8_t> nonManifold_;
-  std::vector<std::size_t> slabStart_;
-  std::vector<std::uint32_t> slabEdges_;
+  std::size_t edgeGrain_ = 1;
+  std::vector<std::vector<std::uint32_t>> chunkNodes_;  ///< per edge chunk and level
+  std::vector<std::size_t> levelNodes_;                 ///< per level
+  // Of the present block:
+  std::vector<std::uint32_t> levelStart_;  ///< first node of each level
+  std::vector<std::uint32_t> base_;        ///< per trace edge: place in nodeOf_ of level 0
+  std::vector<std::uint32_t> nodeOf_;      ///< nodes in the order of edge, then level
+  std::vector<std::uint32_t> next_, entry_;
+  std::vector<std::uint8_t> state_;
 };
 
 }  // namespace
