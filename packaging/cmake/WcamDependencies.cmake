@@ -3,12 +3,12 @@
 # Third-party packages, all from Debian 12. packaging/quickstart installs them.
 
 find_package(Eigen3 3.4 CONFIG REQUIRED)
-find_package(fmt REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(CLI11 REQUIRED)
-find_package(assimp REQUIRED)
+find_package(EXPAT REQUIRED)
+find_library(WCAM_MINIZIP minizip REQUIRED)
 find_package(OpenCASCADE REQUIRED)
 find_package(CGAL REQUIRED)
 find_library(WCAM_MUPARSER muparser REQUIRED)
