@@ -5,6 +5,7 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/file_io.hpp"
 
+#include "text_scanner.hpp"
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
@@ -14,6 +15,8 @@
 #include <IGESData_BasicEditor.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Controller.hxx>
@@ -29,6 +32,7 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include <Quantity_Color.hxx>
 
@@ -220,6 +224,28 @@ private:
       pathText(file), "check the part in the CAD system and export it again");
 }
 
+/// Refuses a model with entities whose parameters could not be read: they come as null objects, and
+/// the translation does not expect them everywhere.
+void requireSoundModel(const std::filesystem::path& file,
+                       const char* format,
+                       const Handle(XSControl_WorkSession) & session) {
+  const Handle(Interface_InterfaceModel) model = session->Model();
+  if (model.IsNull()) {
+    return;
+  }
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Interface_Check)& check = model->Check(i, Standard_True);
+    if (model->IsErrorEntity(i) || (!check.IsNull() && check->HasFailed())) {
+      const Handle(TCollection_HAsciiString) label = model->StringLabel(model->Value(i));
+      const std::string cause = check->NbFails() > 0 ? check->CFail(1) : "unreadable";
+      throw Error(ErrorCode::InputInvalid,
+                  std::string("entity ") + printableName(label->ToCString()) + " of the " + format +
+                      " file is damaged: " + printableName(cause),
+                  pathText(file), "export the part again");
+    }
+  }
+}
+
 Handle(TDocStd_Document) newDocument() {
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
   XCAFDoc_DocumentTool::Set(document->Main(), Standard_False);
@@ -243,6 +269,7 @@ CadModel readStep(const std::filesystem::path& file,
   if (status != IFSelect_RetDone) {
     cannotRead(file, "STEP", session);
   }
+  requireSoundModel(file, "STEP", reader.ChangeReader().WS());
   CadModel model;
   TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
   reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
@@ -272,6 +299,7 @@ CadModel readIges(const std::filesystem::path& file,
   if (status != IFSelect_RetDone) {
     cannotRead(file, "IGES", session);
   }
+  requireSoundModel(file, "IGES", reader.WS());
   CadModel model;
   const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
   model.unit = IGESData_BasicEditor::UnitFlagName(global.UnitFlag());
