@@ -86,7 +86,8 @@ private:
       problems_.push_back(name + " has a version below 1");
     }
     for (const std::string& problem : schemaProblems(info.params)) {
-      problems_.push_back(name + ": parameter " + problem);
+      problems_.push_back(name);
+      problems_.back().append(": parameter ").append(problem);
     }
   }
 

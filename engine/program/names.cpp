@@ -8,6 +8,7 @@
 #include "wcam/base/text.hpp"
 
 #include <cstdint>
+#include <utility>
 
 namespace wcam::program {
 
@@ -93,7 +94,9 @@ std::vector<std::string> partNames(std::string_view text,
   std::vector<std::string> names{main};
   for (std::size_t i = 1; i <= parts; ++i) {
     const std::string number = std::to_string(i);
-    names.push_back(stem + mark + std::string(width - number.size(), '0') + number);
+    std::string name = stem + mark;
+    name.append(width - number.size(), '0').append(number);
+    names.push_back(std::move(name));
   }
   return names;
 }

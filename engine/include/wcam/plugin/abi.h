@@ -3,6 +3,7 @@
 #ifndef WCAM_PLUGIN_ABI_H
 #define WCAM_PLUGIN_ABI_H
 
+/* C names and C headers on purpose. NOLINTBEGIN */
 #include <stdint.h>
 
 /* The C handshake of a plugin. The host calls wcam_plugin_entry() and checks every field before any
@@ -39,5 +40,7 @@ typedef const wcam_plugin_descriptor* (*wcam_plugin_entry_function)(void);
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND */
 
 #endif

@@ -52,7 +52,7 @@ std::uint64_t roundScaledExactly(double magnitude, int decimals);
 
 /// Digits of a number below 10000, without branches on its size. Writes 4 characters.
 /// @return past the last digit
-inline char* writeSmall(char* out, std::uint32_t number) noexcept {
+inline char* writeSmall(char* out, std::size_t number) noexcept {
   static_assert(std::endian::native == std::endian::little, "the first digit is the lowest byte");
   char digits[8];
   std::memcpy(digits, kDigitPairs.data() + 2 * (number / 100), 2);
@@ -72,7 +72,7 @@ char* writeLarge(char* out, std::uint64_t number) noexcept;
 
 inline char* writeWhole(char* out, std::uint64_t number) noexcept {
   constexpr std::uint64_t kSmall = 10000;
-  return number < kSmall ? writeSmall(out, static_cast<std::uint32_t>(number))
+  return number < kSmall ? writeSmall(out, static_cast<std::size_t>(number))
                          : writeLarge(out, number);
 }
 
