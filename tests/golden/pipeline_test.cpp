@@ -151,6 +151,16 @@ TEST(Pipeline, AllWrongParametersAreToldAtOnce) {
   }
 }
 
+TEST(Pipeline, ProcessFileAndInlineParameters) {
+  // The file's parameters hold, inline ones win.
+  const Document document = with(
+      test::exampleDocument("elbow"), "process.set",
+      R"({"id": "steel", "file": {"path": "wcam:processes/steel_1.0mm.json", "sha256": ""}, "params": {"bead_width": 9.0}})");
+  const OperationResult result = compute(document, std::make_shared<StageCache>());
+  EXPECT_DOUBLE_EQ(result.process.wireDiameter.value(), 1.0);
+  EXPECT_NEAR(result.process.wireSpeed.value(), 2300.0 / 60.0, 1e-9);
+}
+
 TEST(Pipeline, UnreachablePartIsAViolationAndGetsNoProgram) {
   const Document document =
       with(test::exampleDocument("elbow"), "part.set",
