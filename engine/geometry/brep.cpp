@@ -219,7 +219,10 @@ CurvePoint BrepEvaluator::curve(int edge, double t) const {
 }
 
 Vec3 BrepEvaluator::normal(int face, const Vec2& uv) const {
-  const SurfacePoint point = surface(face, uv);
+  return normal(face, uv, surface(face, uv));
+}
+
+Vec3 BrepEvaluator::normal(int face, const Vec2& uv, const SurfacePoint& point) const {
   Vec3 n = unitNormal(point.du, point.dv);
   const BrepFaceInfo& info = impl_->brep->face(face);
   if (n.isZero()) {

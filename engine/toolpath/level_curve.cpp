@@ -49,33 +49,46 @@ struct Metric {
 LevelCurve::LevelCurve(const geometry::PartSurface& part,
                        geometry::BrepEvaluator* evaluator,
                        const LayerField& field,
-                       std::size_t level)
+                       std::size_t level,
+                       double size)
     : part_(&part),
       evaluator_(evaluator),
       field_(&field),
       level_(level),
-      residualTolerance_(kResidual * std::max(1.0, part.mesh.bounds().diagonal())) {}
+      residualTolerance_(kResidual * std::max(1.0, size)) {}
 
 Vec3 LevelCurve::meshNormal(std::uint32_t triangle) const {
   return part_->mesh.normal(triangle);
 }
 
-std::optional<Vec2> LevelCurve::newtonToLevel(std::int32_t face, Vec2 uv, double reach) const {
-  const Vec3 start = evaluator_->surface(face, uv).p;
+LevelCurve::FacePoint LevelCurve::faceAt(std::int32_t face, const Vec2& uv) const {
+  return {uv, evaluator_->surface(face, uv)};
+}
+
+ContourPoint LevelCurve::contourPoint(std::int32_t face, const FacePoint& at) const {
+  return {at.surface.p, evaluator_->normal(face, at.uv, at.surface)};
+}
+
+std::optional<LevelCurve::FacePoint> LevelCurve::newtonToLevel(std::int32_t face,
+                                                               Vec2 uv,
+                                                               double reach) const {
+  Vec3 start = Vec3::Zero();
   double previous = std::numeric_limits<double>::infinity();
-  Vec2 best = uv;
+  FacePoint best;
   for (int i = 0; i < kNewtonSteps; ++i) {
-    const SurfacePoint s = evaluator_->surface(face, uv);
+    const FacePoint at = faceAt(face, uv);
+    const SurfacePoint& s = at.surface;
+    start = i == 0 ? s.p : start;
     const double f = field_->residual(s.p, level_);
     if (!std::isfinite(f) || (s.p - start).norm() > reach) {
       return std::nullopt;
     }
     if (std::abs(f) < previous) {
       previous = std::abs(f);
-      best = uv;
+      best = at;
     }
     if (std::abs(f) <= residualTolerance_) {
-      return uv;
+      return at;
     }
     const Vec3 gradient = field_->gradient(s.p, level_);
     const Vec2 g(gradient.dot(s.du), gradient.dot(s.dv));
@@ -89,27 +102,30 @@ std::optional<Vec2> LevelCurve::newtonToLevel(std::int32_t face, Vec2 uv, double
   }
   // Rounding can keep the residual a little above the tolerance; a true failure is far above.
   constexpr double kAccepted = 1e3;
-  return previous <= kAccepted * residualTolerance_ ? std::optional<Vec2>(best) : std::nullopt;
+  return previous <= kAccepted * residualTolerance_ ? std::optional<FacePoint>(best) : std::nullopt;
 }
 
-Vec2 LevelCurve::projectToSurface(std::int32_t face, Vec2 uv, const Vec3& p) const {
+LevelCurve::FacePoint LevelCurve::projectToSurface(std::int32_t face,
+                                                   const Vec2& uv,
+                                                   const Vec3& p) const {
+  FacePoint at = faceAt(face, uv);
   for (int i = 0; i < kNewtonSteps; ++i) {
-    const SurfacePoint s = evaluator_->surface(face, uv);
-    const Vec3 error = p - s.p;
+    const Vec3 error = p - at.surface.p;
     if (error.norm() <= residualTolerance_) {
       break;
     }
-    const auto step = Metric(s).solve(Vec2(error.dot(s.du), error.dot(s.dv)));
+    const auto step =
+        Metric(at.surface).solve(Vec2(error.dot(at.surface.du), error.dot(at.surface.dv)));
     if (!step || !step->allFinite()) {
       break;
     }
-    const Vec2 next = uv + *step;
-    if ((evaluator_->surface(face, next).p - p).norm() >= error.norm()) {
+    const FacePoint next = faceAt(face, at.uv + *step);
+    if ((next.surface.p - p).norm() >= error.norm()) {
       break;
     }
-    uv = next;
+    at = next;
   }
-  return uv;
+  return at;
 }
 
 std::optional<Vec3> LevelCurve::solveOnEdge(std::int32_t edge,
@@ -156,13 +172,20 @@ std::optional<Vec3> LevelCurve::solveOnEdge(std::int32_t edge,
   return evaluator_->curve(edge, t).p;
 }
 
-std::optional<Vec3> LevelCurve::refinedNode(std::uint32_t halfEdge, double fraction) const {
+std::optional<LevelCurve::Node> LevelCurve::refinedNode(std::uint32_t halfEdge,
+                                                        double fraction) const {
   const geometry::BrepBinding& binding = part_->binding;
   const std::uint32_t triangle = halfEdge / 3;
   const std::uint32_t corner = halfEdge % 3;
+  Node node;
   if (binding.edge[halfEdge] >= 0) {
     const auto& t = binding.edgeParam[halfEdge];
-    return solveOnEdge(binding.edge[halfEdge], t[0], t[1], t[0] + fraction * (t[1] - t[0]));
+    const auto p = solveOnEdge(binding.edge[halfEdge], t[0], t[1], t[0] + fraction * (t[1] - t[0]));
+    if (!p) {
+      return std::nullopt;
+    }
+    node.point.p = *p;
+    return node;
   }
   const auto& vertices = part_->mesh.triangles[triangle];
   const double edgeLength =
@@ -170,12 +193,15 @@ std::optional<Vec3> LevelCurve::refinedNode(std::uint32_t halfEdge, double fract
           .norm();
   const Vec2& a = binding.uv[triangle][corner];
   const Vec2& b = binding.uv[triangle][(corner + 1) % 3];
-  const auto uv =
-      newtonToLevel(binding.face[triangle], a + fraction * (b - a), kReachInEdges * edgeLength);
-  if (!uv) {
+  const std::int32_t face = binding.face[triangle];
+  const auto at = newtonToLevel(face, a + fraction * (b - a), kReachInEdges * edgeLength);
+  if (!at) {
     return std::nullopt;
   }
-  return evaluator_->surface(binding.face[triangle], *uv).p;
+  node.point = contourPoint(face, *at);
+  node.face = face;
+  node.uv = at->uv;
+  return node;
 }
 
 Vec2 LevelCurve::cornerUv(std::uint32_t triangle, std::uint32_t halfEdge, double fraction) const {
@@ -200,22 +226,30 @@ Vec2 LevelCurve::cornerUv(std::uint32_t triangle, std::uint32_t halfEdge, double
 }
 
 void LevelCurve::addSegment(const LevelContour& contour,
-                            const std::vector<Vec3>& nodes,
+                            const std::vector<Node>& nodes,
                             std::size_t from,
                             std::size_t to) {
   CurveSegment segment;
   segment.triangle = contour.halfEdges[from] / 3;
-  segment.a.p = nodes[from];
-  segment.b.p = nodes[to];
+  segment.a.p = nodes[from].point.p;
+  segment.b.p = nodes[to].point.p;
   if (evaluator_ != nullptr) {
     const std::int32_t face = part_->binding.face[segment.triangle];
-    segment.uvA = projectToSurface(
-        face, cornerUv(segment.triangle, contour.halfEdges[from], contour.fractions[from]),
-        nodes[from]);
-    segment.uvB = projectToSurface(
-        face, cornerUv(segment.triangle, contour.halfEdges[to], contour.fractions[to]), nodes[to]);
-    segment.a.n = evaluator_->normal(face, segment.uvA);
-    segment.b.n = evaluator_->normal(face, segment.uvB);
+    const auto place = [&](std::size_t index, Vec2& uv, Vec3& n) {
+      const Node& node = nodes[index];
+      if (node.face == face) {
+        uv = node.uv;
+        n = node.point.n;
+        return;
+      }
+      const FacePoint at = projectToSurface(
+          face, cornerUv(segment.triangle, contour.halfEdges[index], contour.fractions[index]),
+          node.point.p);
+      uv = at.uv;
+      n = evaluator_->normal(face, at.uv, at.surface);
+    };
+    place(from, segment.uvA, segment.a.n);
+    place(to, segment.uvB, segment.b.n);
   } else {
     segment.a.n = segment.b.n = meshNormal(segment.triangle);
   }
@@ -226,9 +260,10 @@ std::size_t LevelCurve::assign(const LevelContour& contour) {
   closed_ = contour.closed;
   segments_.clear();
   std::size_t failures = 0;
-  std::vector<Vec3> nodes = contour.points;
-  if (evaluator_ != nullptr) {
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+  std::vector<Node> nodes(contour.points.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes[i].point.p = contour.points[i];
+    if (evaluator_ != nullptr) {
       if (const auto exact = refinedNode(contour.halfEdges[i], contour.fractions[i])) {
         nodes[i] = *exact;
       } else {
@@ -286,9 +321,9 @@ ContourPoint LevelCurve::at(std::size_t index, double w) const {
   if (evaluator_ != nullptr) {
     const std::int32_t face = part_->binding.face[segment.triangle];
     const double chord = (segment.b.p - segment.a.p).norm();
-    if (const auto uv = newtonToLevel(face, segment.uvA + w * (segment.uvB - segment.uvA),
+    if (const auto at = newtonToLevel(face, segment.uvA + w * (segment.uvB - segment.uvA),
                                       kReachInEdges * chord)) {
-      return {evaluator_->surface(face, *uv).p, evaluator_->normal(face, *uv)};
+      return contourPoint(face, *at);
     }
   }
   const Vec3 n = (1.0 - w) * segment.a.n + w * segment.b.n;
@@ -354,7 +389,7 @@ std::vector<LevelCurve> LevelCurve::keepAbove(const Substrate& substrate, double
       const ContourPoint cut = at(i, w);
       Vec2 uv = segment.uvA + w * (segment.uvB - segment.uvA);
       if (evaluator_ != nullptr) {
-        uv = projectToSurface(part_->binding.face[segment.triangle], uv, cut.p);
+        uv = projectToSurface(part_->binding.face[segment.triangle], uv, cut.p).uv;
       }
       (startBelow ? segment.a : segment.b) = cut;
       (startBelow ? segment.uvA : segment.uvB) = uv;

@@ -25,10 +25,12 @@ struct CurveSegment {
 /// mesh contour.
 class LevelCurve {
 public:
+  /// @param size diagonal of the part's bounds, mm
   LevelCurve(const geometry::PartSurface& part,
              geometry::BrepEvaluator* evaluator,
              const LayerField& field,
-             std::size_t level);
+             std::size_t level,
+             double size);
 
   /// Moves the nodes of a mesh contour onto the exact surface and level.
   /// @return the number of nodes that kept their mesh position
@@ -53,22 +55,38 @@ public:
 
 private:
   [[nodiscard]] Vec3 meshNormal(std::uint32_t triangle) const;
-  [[nodiscard]] std::optional<geometry::Vec2> newtonToLevel(std::int32_t face,
-                                                            geometry::Vec2 uv,
-                                                            double reach) const;
-  [[nodiscard]] geometry::Vec2 projectToSurface(std::int32_t face,
-                                                geometry::Vec2 uv,
-                                                const Vec3& p) const;
+
+  /// A place on a face and what the surface is there, so that it is evaluated once.
+  struct FacePoint {
+    geometry::Vec2 uv = geometry::Vec2::Zero();
+    geometry::SurfacePoint surface;
+  };
+
+  /// A node of the mesh contour on the exact level curve.
+  struct Node {
+    ContourPoint point;
+    std::int32_t face = -1;  ///< of uv and normal; negative on CAD edges and for unrefined nodes
+    geometry::Vec2 uv = geometry::Vec2::Zero();
+  };
+
+  [[nodiscard]] FacePoint faceAt(std::int32_t face, const geometry::Vec2& uv) const;
+  [[nodiscard]] ContourPoint contourPoint(std::int32_t face, const FacePoint& at) const;
+  [[nodiscard]] std::optional<FacePoint> newtonToLevel(std::int32_t face,
+                                                       geometry::Vec2 uv,
+                                                       double reach) const;
+  [[nodiscard]] FacePoint projectToSurface(std::int32_t face,
+                                           const geometry::Vec2& uv,
+                                           const Vec3& p) const;
   [[nodiscard]] std::optional<Vec3> solveOnEdge(std::int32_t edge,
                                                 double t0,
                                                 double t1,
                                                 double t) const;
-  [[nodiscard]] std::optional<Vec3> refinedNode(std::uint32_t halfEdge, double fraction) const;
+  [[nodiscard]] std::optional<Node> refinedNode(std::uint32_t halfEdge, double fraction) const;
   [[nodiscard]] geometry::Vec2 cornerUv(std::uint32_t triangle,
                                         std::uint32_t halfEdge,
                                         double fraction) const;
   void addSegment(const geometry::LevelContour& contour,
-                  const std::vector<Vec3>& nodes,
+                  const std::vector<Node>& nodes,
                   std::size_t from,
                   std::size_t to);
   void smoothMeshNormals();

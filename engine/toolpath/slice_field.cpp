@@ -91,7 +91,9 @@ struct LevelResult {
   bool anyBelow = false;
 };
 
+/// @param size diagonal of the part's bounds, mm
 void traceOneLevel(const geometry::PartSurface& part,
+                   double size,
                    int partIndex,
                    const std::vector<geometry::LevelContour>& contours,
                    const LayerField& field,
@@ -104,9 +106,8 @@ void traceOneLevel(const geometry::PartSurface& part,
   if (part.exact()) {
     evaluator.emplace(*part.brep);
   }
-  const double size = part.mesh.bounds().diagonal();
   for (const geometry::LevelContour& contour : contours) {
-    LevelCurve curve(part, evaluator ? &*evaluator : nullptr, field, level);
+    LevelCurve curve(part, evaluator ? &*evaluator : nullptr, field, level, size);
     result.unrefined += curve.assign(contour);
     if (curve.length() <= kPointContour * size) {
       const Vec3 p = contour.points.front();
@@ -171,9 +172,9 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
     const std::vector<double> scalar = fieldOf(*parts[k], field, portion);
     const auto cut = withoutTears(*parts[k], field, scalar);
     const geometry::PartSurface& part = cut ? *cut : *parts[k];
-    const auto curves =
-        geometry::traceLevels(part.mesh, part.halfEdges, scalar, values,
-                              kFieldSnap * std::max(1.0, part.mesh.bounds().diagonal()), portion);
+    const double size = part.mesh.bounds().diagonal();
+    const auto curves = geometry::traceLevels(part.mesh, part.halfEdges, scalar, values,
+                                              kFieldSnap * std::max(1.0, size), portion);
     portion.report(0.3);
     std::atomic<std::size_t> done{0};
     parallelForChunks(
@@ -181,7 +182,7 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
         [&](std::size_t from, std::size_t to) {
           for (std::size_t l = from; l < to; ++l) {
             portion.check();
-            traceOneLevel(part, static_cast<int>(k), curves[l], field, l, levels[l].value,
+            traceOneLevel(part, size, static_cast<int>(k), curves[l], field, l, levels[l].value,
                           substrate, sampling, results[l]);
           }
           portion.report(0.3 + 0.7 * static_cast<double>(done += to - from) /

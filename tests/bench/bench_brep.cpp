@@ -34,12 +34,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -148,9 +150,12 @@ std::vector<LayerLevel> middleLevels() {
 
 using Part = std::shared_ptr<const wcam::geometry::PartSurface>;
 
+/// The mesh only finds the sections, the points are exact: it may be coarse.
 Part import(const std::filesystem::path& file) {
-  return wcam::io::importPart(file, wcam::io::ImportOptions{}, wcam::geometry::Pose::Identity(),
-                              wcam::JobContext())
+  wcam::io::ImportOptions options;
+  options.chordTolerance = wcam::Length(0.1);
+  options.angularTolerance = wcam::Angle(wcam::degToRad(15.0));
+  return wcam::io::importPart(file, options, wcam::geometry::Pose::Identity(), wcam::JobContext())
       .surface;
 }
 

@@ -75,6 +75,8 @@ public:
   [[nodiscard]] CurvePoint curve(int edge, double t) const;
   /// Outward unit normal; zero at a singular point.
   [[nodiscard]] Vec3 normal(int face, const Vec2& uv) const;
+  /// The same when the surface has been evaluated there already.
+  [[nodiscard]] Vec3 normal(int face, const Vec2& uv, const SurfacePoint& point) const;
 
 private:
   struct Impl;
