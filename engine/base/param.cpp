@@ -4,6 +4,7 @@
 #include "wcam/base/param.hpp"
 
 #include "wcam/base/json.hpp"
+#include "wcam/base/param_condition.hpp"
 #include "wcam/base/text.hpp"
 
 #include <algorithm>
@@ -256,22 +257,34 @@ Value ParamSchema::parse(std::string_view key, std::string_view text) const {
   }
 }
 
-bool ParamSchema::enabled(const ParamDef& def, const Value& completed) {
-  std::string_view rest = def.info.enabledIf;
+std::vector<ParamCondition> parseConditions(std::string_view enabledIf) {
+  constexpr std::string_view kJoint = " and ";
+  std::vector<ParamCondition> conditions;
+  std::string_view rest = enabledIf;
   while (!rest.empty()) {
-    const std::size_t end = rest.find(" and ");
-    const std::string_view term = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 5);
-    const std::size_t equal = term.find('=');
-    const bool negated = equal != std::string_view::npos && equal > 0 && term[equal - 1] == '!';
-    const std::string_view key = trimText(term.substr(0, negated ? equal - 1 : equal));
-    const Value* value = completed.find(key);
-    if (equal == std::string_view::npos || value == nullptr) {
+    const std::size_t end = rest.find(kJoint);
+    ParamCondition condition{.text = rest.substr(0, end), .key = {}, .value = {}};
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + kJoint.size());
+    const std::size_t equal = condition.text.find('=');
+    if (equal != std::string_view::npos) {
+      condition.negated = equal > 0 && condition.text[equal - 1] == '!';
+      condition.key = trimText(condition.text.substr(0, condition.negated ? equal - 1 : equal));
+      condition.value = trimText(condition.text.substr(equal + 1));
+    }
+    conditions.push_back(condition);
+  }
+  return conditions;
+}
+
+bool ParamSchema::enabled(const ParamDef& def, const Value& completed) {
+  for (const ParamCondition& condition : parseConditions(def.info.enabledIf)) {
+    const Value* value = completed.find(condition.key);
+    if (value == nullptr) {
       throw Error(ErrorCode::Internal,
                   "the condition '" + def.info.enabledIf + "' names no declared parameter",
                   "parameter " + def.info.key, "correct the declaration of the component");
     }
-    if (sameText(*value, trimText(term.substr(equal + 1))) == negated) {
+    if (sameText(*value, condition.value) == condition.negated) {
       return false;
     }
   }

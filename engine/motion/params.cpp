@@ -7,8 +7,7 @@ namespace wcam::motion {
 
 namespace {
 
-Schema<MotionParams> makeSchema() {
-  Schema<MotionParams> schema;
+void addTorch(Schema<MotionParams>& schema) {
   schema
       .add(&MotionParams::torchRotation,
            {.key = "torch_rotation",
@@ -35,7 +34,11 @@ Schema<MotionParams> makeSchema() {
                        {"fut", "F U T"},
                        {"fub", "F U B"},
                        {"fdt", "F D T"},
-                       {"fdb", "F D B"}}})
+                       {"fdb", "F D B"}}});
+}
+
+void addTravel(Schema<MotionParams>& schema) {
+  schema
       .add(&MotionParams::approachHeight,
            {.key = "approach_height",
             .label = "Approach height",
@@ -63,7 +66,11 @@ Schema<MotionParams> makeSchema() {
             .group = "Travel",
             .min = 0.001,
             .max = 1},
-           ParamType::Real, QuantityKind::Ratio)
+           ParamType::Real, QuantityKind::Ratio);
+}
+
+void addChecks(Schema<MotionParams>& schema) {
+  schema
       .add(&MotionParams::minDexterity,
            {.key = "min_dexterity",
             .label = "Least dexterity",
@@ -113,6 +120,13 @@ Schema<MotionParams> makeSchema() {
             .level = ParamLevel::Advanced,
             .min = 0,
             .max = 180});
+}
+
+Schema<MotionParams> makeSchema() {
+  Schema<MotionParams> schema;
+  addTorch(schema);
+  addTravel(schema);
+  addChecks(schema);
   return schema;
 }
 

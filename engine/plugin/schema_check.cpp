@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/base/json.hpp"
+#include "wcam/base/param_condition.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/plugin/host.hpp"
 
@@ -33,18 +34,9 @@ void checkChoices(const ParamDef& def, std::vector<std::string>& problems) {
 void checkCondition(const ParamDef& def,
                     const ParamSchema& schema,
                     std::vector<std::string>& problems) {
-  std::string_view rest = def.info.enabledIf;
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(" and ");
-    const std::string_view term = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 5);
-    const std::size_t equal = term.find('=');
-    std::string_view key = term.substr(0, equal);
-    if (key.ends_with('!')) {
-      key.remove_suffix(1);
-    }
-    if (equal == std::string_view::npos || schema.find(trimText(key)) == nullptr) {
-      problems.push_back(def.info.key + ": condition '" + std::string(term) +
+  for (const ParamCondition& condition : parseConditions(def.info.enabledIf)) {
+    if (schema.find(condition.key) == nullptr) {
+      problems.push_back(def.info.key + ": condition '" + std::string(condition.text) +
                          "' does not compare another parameter");
     }
   }

@@ -4,6 +4,8 @@
 #include "wcam/program/split.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/text.hpp"
+#include "wcam/program/names.hpp"
 
 #include <optional>
 
@@ -87,6 +89,44 @@ ProgramParts splitProgram(const Program& program, int maxTargets) {
   }
   parts.ends.push_back(program.instructions.size());
   return parts;
+}
+
+std::vector<std::string> NamedParts::calls() const {
+  std::vector<std::string> names;
+  for (const NamedPart& part : parts) {
+    names.push_back(part.name);
+  }
+  return names;
+}
+
+NamedParts splitNamed(const Program& program,
+                      int maxTargets,
+                      std::string_view name,
+                      std::size_t longestName,
+                      const JobContext& context) {
+  const ProgramParts split = splitProgram(program, maxTargets);
+  if (split.cutsWithArcOn > 0) {
+    context.add({Severity::Warning,
+                 "post.cut_with_arc_on",
+                 "a bead is longer than one program: the arc burns while the next one is called",
+                 "allow more points per program or sample the bead less densely",
+                 {program.name},
+                 {{"cuts", static_cast<double>(split.cutsWithArcOn)}}});
+  }
+  NamedParts result;
+  result.chained = split.ends.size() > 1;
+  const std::vector<std::string> names =
+      partNames(trimText(name).empty() ? std::string_view(program.name) : name,
+                result.chained ? split.ends.size() : 0, longestName);
+  result.main = names.front();
+  const std::span<const Instruction> all(program.instructions);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < split.ends.size(); ++i) {
+    result.parts.push_back(
+        {names[result.chained ? i + 1 : 0], all.subspan(begin, split.ends[i] - begin)});
+    begin = split.ends[i];
+  }
+  return result;
 }
 
 }  // namespace wcam::program

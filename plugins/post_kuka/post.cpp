@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "wcam/base/text.hpp"
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/program/names.hpp"
 #include "wcam/program/split.hpp"
@@ -18,7 +17,6 @@ using wcam::Error;
 using wcam::ErrorCode;
 using wcam::Severity;
 using wcam::plugin::OutputFile;
-using wcam::program::Instruction;
 using wcam::program::Program;
 
 /// A relative speed error above this is worth a word: it changes the layer height as much.
@@ -64,18 +62,7 @@ void checkTexts(const Dialect& dialect) {
   }
 }
 
-void tell(const Program& program,
-          const wcam::program::ProgramParts& parts,
-          const ModalState& state,
-          const wcam::JobContext& context) {
-  if (parts.cutsWithArcOn > 0) {
-    context.add({Severity::Warning,
-                 "post.cut_with_arc_on",
-                 "a bead is longer than one program: the arc burns while the next one is called",
-                 "allow more points per program or sample the bead less densely",
-                 {program.name},
-                 {{"cuts", static_cast<double>(parts.cutsWithArcOn)}}});
-  }
+void tell(const Program& program, const ModalState& state, const wcam::JobContext& context) {
   if (state.worstAxisSpeedError > kSpeedErrorWorthTelling) {
     context.add({Severity::Warning,
                  "post.speed_rounded",
@@ -96,31 +83,23 @@ public:
     context.check();
     wcam::program::requireValid(program);
     checkCell(program, dialect);
-    const auto parts = wcam::program::splitProgram(program, dialect.maxPoints);
-    const std::string name =
-        wcam::trimText(dialect.programName).empty() ? program.name : dialect.programName;
-    const bool chained = parts.ends.size() > 1;
-    const std::vector<std::string> names =
-        wcam::program::partNames(name, chained ? parts.ends.size() : 0, kLongestName);
+    const wcam::program::NamedParts split = wcam::program::splitNamed(
+        program, dialect.maxPoints, dialect.programName, kLongestName, context);
     std::vector<OutputFile> files;
-    if (chained) {
-      const std::span<const std::string> called(names.begin() + 1, names.end());
-      files.push_back({names.front() + ".src",
-                       printMain({names.front(), program.name, true}, program, called, dialect)});
+    if (split.chained) {
+      files.push_back({split.main + ".src", printMain({split.main, program.name, true}, program,
+                                                      split.calls(), dialect)});
     }
     ModalState state;
     state.configuration = program.cell.configuration;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < parts.ends.size(); ++i) {
-      const Frame frame{names[chained ? i + 1 : 0], program.name, !chained};
-      const std::span<const Instruction> range(program.instructions.data() + begin,
-                                               parts.ends[i] - begin);
-      files.push_back(
-          {frame.name + ".src", printProgram(frame, program, range, dialect, state, context)});
-      begin = parts.ends[i];
-      context.report(static_cast<double>(i + 1) / static_cast<double>(parts.ends.size()));
+    std::size_t done = 0;
+    for (const wcam::program::NamedPart& part : split.parts) {
+      const Frame frame{part.name, program.name, !split.chained};
+      files.push_back({part.name + ".src",
+                       printProgram(frame, program, part.instructions, dialect, state, context)});
+      context.report(static_cast<double>(++done) / static_cast<double>(split.parts.size()));
     }
-    tell(program, parts, state, context);
+    tell(program, state, context);
     return files;
   }
 };

@@ -4,6 +4,7 @@
 #include "wcam/program/split.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/program/names.hpp"
 #include "wcam/testing/sample_program.hpp"
 
 #include <gtest/gtest.h>
@@ -84,4 +85,34 @@ TEST(SplitProgram, NeverExceedsTheLimit) {
     }
   }
   EXPECT_THROW((void)splitProgram(wcam::testing::sampleProgram(), 1), wcam::Error);
+}
+
+TEST(SplitNamed, ShortProgramBearsTheMainName) {
+  const Program program = wcam::testing::sampleProgram();
+  const NamedParts split = splitNamed(program, 0, "  ", 24, wcam::JobContext());
+  EXPECT_FALSE(split.chained);
+  EXPECT_EQ(split.main, controllerName(program.name, 24));
+  ASSERT_EQ(split.parts.size(), 1U);
+  EXPECT_EQ(split.calls(), std::vector<std::string>{split.main});
+  EXPECT_EQ(split.parts[0].instructions.size(), program.instructions.size());
+}
+
+TEST(SplitNamed, PartsFollowEachOtherAndTellOfBurningCuts) {
+  const Program program = wcam::testing::sampleProgram({.layers = 3, .pointsPerBead = 100});
+  const wcam::JobContext context;
+  const NamedParts split = splitNamed(program, 30, "wall", 24, context);
+  EXPECT_TRUE(split.chained);
+  EXPECT_EQ(split.main, "WALL");
+  const Instruction* next = program.instructions.data();
+  for (const NamedPart& part : split.parts) {
+    EXPECT_TRUE(part.name.starts_with("WALL_")) << part.name;
+    EXPECT_EQ(part.instructions.data(), next);
+    next += part.instructions.size();
+  }
+  EXPECT_EQ(next, program.instructions.data() + program.instructions.size());
+  const std::vector<wcam::Diagnostic> findings = context.diagnostics().items();
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "post.cut_with_arc_on");
+  EXPECT_EQ(findings[0].data.at(0).second,
+            static_cast<double>(splitProgram(program, 30).cutsWithArcOn));
 }
