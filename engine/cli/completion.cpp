@@ -36,15 +36,19 @@ std::string completionScript(const CLI::App& app, const std::string& shell) {
   script +=
       "_camcli() {\n  local word=\"${COMP_WORDS[COMP_CWORD]}\" "
       "before=\"${COMP_WORDS[COMP_CWORD-1]}\" verb=\"${COMP_WORDS[1]}\"\n";
-  script += "  local options=\"" + optionNames(app) + "\"\n  case \"$verb\" in\n";
+  script += "  local options=\"" + optionNames(app) + "\" verbs=\"\"\n  case \"$verb\" in\n";
   for (const CLI::App* verb : app.get_subcommands({})) {
-    script += "    " + verb->get_name() + ") options=\"" + optionNames(*verb) + " " +
+    std::string options = optionNames(*verb);
+    for (const CLI::App* inner : verb->get_subcommands({})) {
+      options += optionNames(*inner);
+    }
+    script += "    " + verb->get_name() + ") options=\"" + options + "\" verbs=\"" +
               verbNames(*verb) + "\" ;;\n";
   }
   script += "  esac\n  case \"$before\" in\n";
-  script += "    --post|--operation|--set|--threads|--name) return ;;\n";
+  script += "    --post|--operation|--set|--threads|--name|--cell) return ;;\n";
   script +=
-      "    --project|--output|--report|--plugin|--part|--cell) COMPREPLY=($(compgen -f -- "
+      "    --project|--output|--report|--plugin|--part) COMPREPLY=($(compgen -f -- "
       "\"$word\")); return ;;\n";
   script += "    completion) COMPREPLY=($(compgen -W \"bash zsh\" -- \"$word\")); return ;;\n";
   script +=
@@ -54,6 +58,9 @@ std::string completionScript(const CLI::App& app, const std::string& shell) {
       "  if [[ \"$word\" == -* ]]; then\n    COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n";
   script += "  elif [[ $COMP_CWORD -eq 1 ]]; then\n    COMPREPLY=($(compgen -W \"" +
             verbNames(app) + "\" -- \"$word\"))\n";
+  script +=
+      "  elif [[ $COMP_CWORD -eq 2 && -n \"$verbs\" ]]; then\n    COMPREPLY=($(compgen -W "
+      "\"$verbs\" -- \"$word\"))\n";
   script +=
       "  else\n    COMPREPLY=($(compgen -f -- \"$word\"))\n  fi\n}\ncomplete -o filenames -F "
       "_camcli camcli\n";

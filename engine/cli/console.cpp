@@ -5,13 +5,13 @@
 
 #include "wcam/base/text.hpp"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <memory>
 
 namespace wcam::cli {
@@ -33,6 +33,16 @@ bool terminal() {
 }
 
 }  // namespace
+
+void prepareProcess() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(fd, F_GETFD) == -1) {
+      // Opened the wrong way round, so that its use is still an error.
+      ::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+  ::signal(SIGXFSZ, SIG_IGN);
+}
 
 InterruptGuard::InterruptGuard() {
   const sigset_t set = stopSignals();
@@ -78,22 +88,64 @@ void Console::error(const Error& error) const {
   }
 }
 
-void Console::findings(const std::vector<Diagnostic>& findings) const {
-  struct Group {
-    const Diagnostic* first = nullptr;
-    int count = 0;
-  };
+namespace {
 
-  std::map<std::pair<int, std::string>, Group> groups;
+/// Findings of one kind, told in one line.
+struct FindingGroup {
+  Diagnostic first;
+  int count = 0;
+};
+
+/// Of one code: those of one operation, with their number.
+std::vector<FindingGroup> groupsByOperation(const std::vector<Diagnostic>& findings) {
+  std::vector<FindingGroup> groups;
   for (const Diagnostic& finding : findings) {
-    Group& group = groups[{-static_cast<int>(finding.severity),
-                           finding.place.operation + "\n" + finding.code}];
-    group.first = group.first == nullptr ? &finding : group.first;
-    ++group.count;
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const FindingGroup& group) {
+      return group.first.severity == finding.severity && group.first.code == finding.code &&
+             group.first.place.operation == finding.place.operation;
+    });
+    if (same == groups.end()) {
+      groups.push_back({finding, 1});
+    } else {
+      ++same->count;
+    }
   }
-  for (const auto& [key, group] : groups) {
+  return groups;
+}
+
+/// What several operations have in common, such as the findings of their part, is told once.
+std::vector<FindingGroup> mergedOperations(const std::vector<FindingGroup>& groups) {
+  std::vector<FindingGroup> merged;
+  for (const FindingGroup& group : groups) {
+    const auto same = std::find_if(merged.begin(), merged.end(), [&](const FindingGroup& other) {
+      return other.first.severity == group.first.severity && other.first.code == group.first.code &&
+             other.first.message == group.first.message && other.count == group.count &&
+             other.first.place.layer == group.first.place.layer;
+    });
+    if (same == merged.end()) {
+      merged.push_back(group);
+    } else {
+      same->first.place.operation += ", " + group.first.place.operation;
+    }
+  }
+  return merged;
+}
+
+}  // namespace
+
+void Console::findings(const std::vector<Diagnostic>& findings) const {
+  std::vector<FindingGroup> groups = mergedOperations(groupsByOperation(findings));
+  std::stable_sort(groups.begin(), groups.end(), [](const FindingGroup& a, const FindingGroup& b) {
+    return a.first.severity > b.first.severity;
+  });
+  for (const FindingGroup& group : groups) {
     const std::string more = group.count > 1 ? " [" + std::to_string(group.count) + " times]" : "";
-    say("  " + toLine(*group.first) + more);
+    const std::string line = "  " + toLine(group.first) + more;
+    if (group.first.severity == Severity::Violation) {
+      complain(line);
+    } else {
+      say(line);
+    }
   }
 }
 

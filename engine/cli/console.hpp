@@ -30,7 +30,12 @@ private:
   std::jthread thread_;
 };
 
-/// Human text on stderr; quiet keeps errors only.
+/// Makes the process fit for writing files: the standard descriptors are open (else a file that is
+/// opened later would get the number of standard output and receive what is printed), and a file
+/// beyond the size limit is an error like a full disk, not a signal.
+void prepareProcess();
+
+/// Human text on stderr; quiet keeps errors and violations only.
 class Console {
 public:
   explicit Console(bool quiet) : quiet_(quiet) {}
@@ -38,8 +43,8 @@ public:
   void say(const std::string& line) const;
   void complain(const std::string& line) const;
   void error(const Error& error) const;
-  /// Findings grouped by severity and code: the worst first, each code with its count and first
-  /// place.
+  /// The worst first, each kind once: findings of one code in one operation are counted behind the
+  /// first of them, equal messages of several operations are told together.
   void findings(const std::vector<Diagnostic>& findings) const;
   /// A progress bar on a terminal, nothing elsewhere.
   [[nodiscard]] JobContext::ProgressFunction progressBar() const;

@@ -4,11 +4,12 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/parallel.hpp"
+#include "wcam/project/report.hpp"
 
-#include "verbs.hpp"
-#include <CLI/CLI.hpp>
+#include "command_line.hpp"
 
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <memory>
 
@@ -16,187 +17,91 @@ namespace {
 
 using namespace wcam;
 
-constexpr int kUsage = 1;
 constexpr int kInternal = 2;
 
-struct CommandLine {
-  cli::Options options;
-  CLI::App app{
-      "Prepares parts for robotic wire-arc additive manufacturing: camcli --project part.wcam "
-      "exports what the project stores."};
-  int (*verb)(const cli::Session&) = nullptr;
-  bool completion = false;
-
-  CommandLine() {
-    app.name("camcli");
-    app.set_version_flag("--version", std::string("camcli ") + WCAM_VERSION);
-    app.add_option("--project", options.project, "Project file to compute and export")
-        ->type_name("FILE");
-    app.add_option("--post", options.posts, "Only this output or post-processor (repeatable)")
-        ->type_name("ID")
-        ->allow_extra_args(false);
-    app.add_option("--operation", options.operations, "Only this operation (repeatable)")
-        ->type_name("ID")
-        ->allow_extra_args(false);
-    app.add_option(
-           "--set", options.settings,
-           "Change a parameter for this run, e.g. step=2.5mm or elbow.params.step=2mm (repeatable)")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    app.add_flag("--table", options.table, "Also write <operation>.csv, one row per point");
-    app.add_option("--report", options.report, "Write the report to this file as well")
-        ->type_name("FILE");
-    app.add_flag("--check", options.check,
-                 "Compute and check, write nothing; exit code 5 on violations");
-    addCommon(app);
-    addVerbs();
-    app.footer(
-        "Exit codes: 0 ok, 1 usage, 2 internal, 3 input or project, 4 output conflict, 5 check "
-        "violations, 6 job failed,\n"
-        "7 plugin missing or refused, 130 cancelled.");
-  }
-
-  void addCommon(CLI::App& target) {
-    target
-        .add_option("--output", options.output,
-                    "Output folder (default: <project>-out beside the project)")
-        ->type_name("DIR");
-    target.add_flag("--json", options.json, "Print the report as JSON on stdout");
-    target
-        .add_option("--threads", options.threads, "Number of threads (default: one per processor)")
-        ->check(CLI::Range(0, 1024))
-        ->type_name("N");
-    target.add_flag("--quiet", options.quiet, "Print errors only");
-    target.add_option("--plugin", options.plugins, "Plugin library to load first (repeatable)")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
-    target.add_flag("--no-user-plugins", options.noUserPlugins,
-                    "Ignore WCAM_PLUGIN_PATH and the user's plugin folder");
-  }
-
-  CLI::App* addVerb(CLI::App& parent,
-                    const char* name,
-                    const char* help,
-                    int (*function)(const cli::Session&)) {
-    CLI::App* verb = parent.add_subcommand(name, help);
-    verb->callback([this, function] { verb_(function); });
-    return verb;
-  }
-
-  void addVerbs() {
-    CLI::App* create = addVerb(
-        app, "new", "Make a project with a plate, a process and a planar operation", cli::newVerb);
-    create->add_option("file", options.file, "Project file to make")->required()->type_name("FILE");
-    create->add_option("--part", options.part, "Part file, copied beside the project")
-        ->type_name("FILE");
-    create
-        ->add_option("--cell", options.cell,
-                     "Cell file, or the name of one that comes with the program")
-        ->type_name("CELL");
-    create->add_option("--name", options.name, "Name of the project")->type_name("TEXT");
-    CLI::App* info = addVerb(app, "info", "Tell what is in a part, cell or project file, as JSON",
-                             cli::infoVerb);
-    info->add_option("file", options.file, "File to look at")->required()->type_name("FILE");
-    CLI::App* apply =
-        addVerb(app, "apply", "Apply a log of commands (JSON lines) to a project and save it",
-                cli::applyVerb);
-    apply->add_option("project", options.file, "Project file")->required()->type_name("PROJECT");
-    apply->add_option("commands", options.commands, "Commands, one JSON object per line")
-        ->required()
-        ->type_name("COMMANDS.jsonl");
-    CLI::App* check =
-        addVerb(app, "check", "Check a project: format, files, parameters, reach; writes nothing",
-                cli::checkVerb);
-    check->add_option("project", options.file, "Project file")->required()->type_name("PROJECT");
-    CLI::App* plugins = app.add_subcommand("plugins", "Plugins")->require_subcommand(1);
-    CLI::App* list =
-        addVerb(*plugins, "list", "List all plugins with verdict and reason", cli::pluginsListVerb);
-    CLI::App* schema =
-        addVerb(app, "schema", "Print the JSON schema of a component, or the list of components",
-                cli::schemaVerb);
-    schema->add_option("component", options.component, "Component id")->type_name("COMPONENT");
-    CLI::App* completion =
-        app.add_subcommand("completion", "Print the completion script of a shell");
-    completion->add_option("shell", options.shell, "bash or zsh")
-        ->required()
-        ->check(CLI::IsMember({"bash", "zsh"}));
-    completion->callback([this] { completion_(); });
-    for (CLI::App* verb : {create, info, apply, check, list, schema}) {
-      addCommon(*verb);
+/// A plugin that the user names and that is refused is told, even when the run does not need it.
+void tellRefusedPlugins(const plugin::PluginHost& plugins, const cli::Console& console) {
+  plugins.loadAll();
+  for (const plugin::PluginReport& report : plugins.reports()) {
+    if (report.origin == plugin::PluginOrigin::Requested &&
+        report.verdict == plugin::PluginVerdict::Refused) {
+      console.complain("camcli: warning: the plugin " + pathText(report.path) +
+                       " is refused: " + report.reason);
     }
-    app.require_subcommand(0, 1);
   }
-
-private:
-  void verb_(int (*function)(const cli::Session&)) { verb = function; }
-
-  void completion_() { completion = true; }
-};
-
-int runVerb(const CommandLine& line, const cli::Console& console, const std::stop_token& stop) {
-  std::vector<std::filesystem::path> files;
-  for (const std::string& file : line.options.plugins) {
-    files.push_back(pathFromText(file));
-  }
-  const ThreadLimit threads(line.options.threads);
-  const cli::Session session{line.options, console, JobContext(stop, console.progressBar()),
-                             std::make_shared<const plugin::PluginHost>(
-                                 plugin::defaultPluginSearch(files, !line.options.noUserPlugins))};
-  return line.verb(session);
 }
 
-int guarded(const CommandLine& line, const cli::Console& console, const std::stop_token& stop) {
-  const auto fail = [&](const Error& error) {
-    console.endProgress();
-    console.error(error);
-    if (line.options.json) {
-      Value report = Value::object({{"code", toString(error.code())}, {"message", error.what()}});
-      if (!error.hint().empty()) {
-        report.set("hint", error.hint());
-      }
-      std::fputs(toCanonicalJson(Value::object({{"error", report}})).c_str(), stdout);
-    }
-    return exitCodeOf(error.code());
-  };
+int runVerb(const cli::CommandLine& line,
+            const cli::Console& console,
+            const std::stop_token& stop) {
+  const cli::Options& options = line.options();
+  if (line.verb() == nullptr) {
+    std::fputs(cli::completionScript(line.app(), options.shell).c_str(), stdout);
+    return 0;
+  }
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : options.plugins) {
+    files.push_back(pathFromText(file));
+  }
+  const ThreadLimit threads(options.threads);
+  const auto plugins = std::make_shared<const plugin::PluginHost>(
+      plugin::defaultPluginSearch(files, !options.noUserPlugins));
+  if (!files.empty()) {
+    tellRefusedPlugins(*plugins, console);
+  }
+  return line.verb()({options, console, JobContext(stop, console.progressBar()), plugins});
+}
+
+int fail(const Error& error, const cli::Console& console, bool json) {
+  console.endProgress();
+  console.error(error);
+  if (json) {
+    std::fputs(toCanonicalJson(project::failedReport({{}, error})).c_str(), stdout);
+  }
+  return exitCodeOf(error.code());
+}
+
+int guarded(int argc, char** argv, const std::stop_token& stop, cli::Console& console) {
+  // Known before the options are read, which may fail.
+  bool json = false;
+  for (int i = 1; i < argc; ++i) {
+    json = json || std::strcmp(argv[i], "--json") == 0;
+  }
   try {
+    cli::CommandLine line;
+    if (const auto text = line.parse(argc, argv)) {
+      std::fputs(text->c_str(), stdout);
+      return 0;
+    }
+    console = cli::Console(line.options().quiet);
     return runVerb(line, console, stop);
   } catch (const Error& error) {
-    return fail(error);
+    return fail(error, console, json);
   } catch (const std::bad_alloc&) {
-    return fail(Error(ErrorCode::JobFailed, "there is not enough memory", {},
-                      "use a coarser part or step"));
+    return fail(
+        Error(ErrorCode::JobFailed, "there is not enough memory", {}, "use a coarser part or step"),
+        console, json);
   } catch (const std::exception& error) {
     return fail(Error(ErrorCode::Internal, error.what(), "unexpected",
-                      "please report this with the project file"));
+                      "please report this with the project file"),
+                console, json);
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::prepareProcess();
   const cli::InterruptGuard interrupt;
-  CommandLine line;
+  cli::Console console(false);
   try {
-    line.app.parse(argc, argv);
-    if (line.verb == nullptr && !line.completion) {
-      if (line.options.project.empty()) {
-        throw CLI::RequiredError("--project or a verb");
-      }
-      line.verb = cli::runProjectVerb;
-    }
-  } catch (const CLI::ParseError& error) {
-    return line.app.exit(error) == 0 ? 0 : kUsage;
-  }
-  if (line.completion) {
-    std::fputs(cli::completionScript(line.app, line.options.shell).c_str(), stdout);
-    return 0;
-  }
-  const cli::Console console(line.options.quiet);
-  try {
-    const int code = guarded(line, console, interrupt.token());
-    if (std::fflush(stdout) != 0) {
-      console.complain("camcli: error: standard output cannot be written");
-      return exitCodeOf(ErrorCode::OutputConflict);
+    const int code = guarded(argc, argv, interrupt.token(), console);
+    const bool lost = std::ferror(stdout) != 0;
+    if (std::fflush(stdout) != 0 || lost) {
+      console.complain(
+          "camcli: error: standard output cannot be written\n"
+          "  hint: direct it to a file with free space");
+      return code != 0 ? code : exitCodeOf(ErrorCode::OutputConflict);
     }
     return code;
   } catch (...) {

@@ -10,16 +10,17 @@ namespace wcam::cli {
 
 /// What the command line says, as CLI11 fills it.
 struct Options {
-  // camcli --project
+  // camcli --project, check
   std::string project;
-  std::string output;
+  std::string output;  ///< folder; for apply the project file to write
   std::vector<std::string> posts;
   std::vector<std::string> operations;
   std::vector<std::string> settings;
   bool table = false;
   std::string report;
-  bool json = false;
   bool check = false;
+  // all verbs
+  bool json = false;
   int threads = 0;
   bool quiet = false;
   std::vector<std::string> plugins;

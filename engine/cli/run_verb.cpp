@@ -10,6 +10,7 @@
 
 #include "verbs.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -35,14 +36,33 @@ std::optional<ParamSchema> schemaOf(const plugin::PluginHost& plugins,
   return plugins.info(section.component).params;
 }
 
+/// Applies all settings, or tells everything that is wrong with them.
 project::Document withSettings(project::Document document, const Session& session) {
+  std::vector<Error> problems;
   for (const std::string& setting : session.options.settings) {
-    const auto commands = project::commandsOfSetting(
-        document, setting,
-        [&](const project::ParamSection& section) { return schemaOf(*session.plugins, section); });
-    for (const project::Command& command : commands) {
-      document = project::apply(document, command);
+    try {
+      const auto commands =
+          project::commandsOfSetting(document, setting, [&](const project::ParamSection& section) {
+            return schemaOf(*session.plugins, section);
+          });
+      for (const project::Command& command : commands) {
+        document = project::apply(document, command);
+      }
+    } catch (const Error& error) {
+      problems.push_back(error);
     }
+  }
+  if (problems.size() == 1) {
+    throw Error(problems.front());
+  }
+  if (!problems.empty()) {
+    std::vector<std::string> lines;
+    for (const Error& problem : problems) {
+      lines.emplace_back(problem.what());
+    }
+    throw Error(problems.front().code(),
+                std::to_string(lines.size()) + " problems:\n  " + joinText(lines, "\n  "), {},
+                problems.front().hint());
   }
   return document;
 }
@@ -62,11 +82,8 @@ std::string figure(const Value& report, std::initializer_list<const char*> path,
   return value != nullptr && value->isNumber() ? formatFixed(value->asReal(), decimals) : "-";
 }
 
-void tell(const Session& session,
-          const project::RunResult& result,
-          const std::filesystem::path& folder) {
-  const Console& console = session.console;
-  for (const Value& operation : result.report.at("operations").asArray()) {
+void tellFigures(const Console& console, const Value& report) {
+  for (const Value& operation : report.at("operations").asArray()) {
     console.say("operation " + operation.at("id").asString() + " (" +
                 operation.at("strategy").asString() + "): " + figure(operation, {"layers"}, 0) +
                 " layers, " + figure(operation, {"beads"}, 0) + " beads, " +
@@ -79,43 +96,101 @@ void tell(const Session& session,
                 figure(operation, {"speed_mm_s", "min"}, 2) + " to " +
                 figure(operation, {"speed_mm_s", "max"}, 2) + " mm/s");
   }
-  std::vector<Diagnostic> all;
-  for (const project::OperationResult& operation : result.operations) {
-    all.insert(all.end(), operation.findings.begin(), operation.findings.end());
-  }
-  console.findings(all);
-  for (const project::RunFailure& failure : result.failures) {
-    console.error(failure.error);
-  }
-  for (const project::OperationResult& operation : result.operations) {
-    for (const Diagnostic& finding : operation.findings) {
-      if (finding.severity == Severity::Violation) {
-        console.complain("operation " + operation.id +
-                         " violates a check and gets no robot program: " + finding.message);
-        break;
-      }
-    }
-  }
-  if (session.options.check) {
-    return;
-  }
+}
+
+bool violates(const project::OperationResult& operation) {
+  return std::any_of(operation.findings.begin(), operation.findings.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::Violation; });
+}
+
+void tellFiles(const Console& console,
+               const project::RunResult& result,
+               const std::filesystem::path& folder) {
   console.say("written to " + pathText(folder) + ":");
   for (const project::WrittenFile& file : result.files) {
     console.say("  " + file.path + " (" + std::to_string(file.bytes) + " bytes)");
   }
   console.say("  report.json");
+  if (!result.leftFiles.empty()) {
+    const std::string line = "camcli: warning: not written again and perhaps out of date: " +
+                             joinText(result.leftFiles, ", ");
+    // An old robot program beside findings that forbid a new one must not be overlooked.
+    if (result.exitCode() != 0) {
+      console.complain(line);
+    } else {
+      console.say(line);
+    }
+  }
+}
+
+/// The same failure of several operations, such as a part that cannot be read, is told once.
+void tellFailures(const Console& console, const std::vector<project::RunFailure>& failures) {
+  struct Told {
+    std::string places;
+    std::string rest;
+    const Error* error = nullptr;
+  };
+
+  std::vector<Told> told;
+  for (const project::RunFailure& failure : failures) {
+    const std::string text = failure.error.what();
+    const std::string prefix = failure.place + ": ";
+    const bool placed = text.starts_with(prefix);
+    const std::string rest = placed ? text.substr(prefix.size()) : text;
+    const auto same = std::find_if(told.begin(), told.end(), [&](const Told& other) {
+      return other.rest == rest && placed && !other.places.empty();
+    });
+    if (same == told.end()) {
+      told.push_back({placed ? failure.place : std::string(), rest, &failure.error});
+    } else {
+      same->places += ", " + failure.place;
+    }
+  }
+  for (const Told& one : told) {
+    console.error(Error(one.error->code(), one.rest, one.places, one.error->hint()));
+  }
+}
+
+void tell(const Session& session,
+          const project::RunResult& result,
+          const std::filesystem::path& folder) {
+  const Console& console = session.console;
+  tellFailures(console, result.failures);
+  tellFigures(console, result.report);
+  std::vector<Diagnostic> all = result.projectFindings;
+  for (const project::OperationResult& operation : result.operations) {
+    all.insert(all.end(), operation.findings.begin(), operation.findings.end());
+  }
+  console.findings(all);
+  for (const project::OperationResult& operation : result.operations) {
+    if (violates(operation)) {
+      console.complain("camcli: error: operation '" + operation.id +
+                       "' violates checks and gets no robot program");
+    }
+  }
+  if (result.written) {
+    tellFiles(console, result, folder);
+  }
 }
 
 }  // namespace
 
 int runProjectVerb(const Session& session) {
   const std::filesystem::path file = pathFromText(session.options.project);
-  project::LoadedProject loaded = project::loadProject(file);
+  const project::LoadedProject loaded = project::loadProject(file);
+  // What the document itself has found comes back with the result.
   for (const Diagnostic& finding : loaded.findings) {
-    session.console.complain("camcli: " + toLine(finding));
+    if (finding.code == "project.migrated") {
+      session.console.say("camcli: " + toLine(finding));
+    }
   }
-  const project::Document document = withSettings(loaded.document, session);
+  const project::Document document =
+      loaded.document.readOnly() ? loaded.document : withSettings(loaded.document, session);
   const project::Pipeline pipeline(document, file, session.plugins);
+  const std::filesystem::path reportFile = pathFromText(session.options.report);
+  if (reportFile.has_parent_path()) {
+    createFolder(reportFile.parent_path());
+  }
   project::RunRequest request;
   request.folder = outputFolder(session, file);
   request.operations = session.options.operations;
@@ -124,10 +199,10 @@ int runProjectVerb(const Session& session) {
   request.checkOnly = session.options.check;
   const project::RunResult result = project::runProject(pipeline, request, session.context);
   session.console.endProgress();
-  tell(session, result, request.folder);
-  if (!session.options.report.empty()) {
-    writeFileAtomically(pathFromText(session.options.report), toCanonicalJson(result.report));
+  if (!reportFile.empty()) {
+    writeFileAtomically(reportFile, toCanonicalJson(result.report));
   }
+  tell(session, result, request.folder);
   if (session.options.json) {
     std::fputs(toCanonicalJson(result.report).c_str(), stdout);
   }
@@ -138,7 +213,7 @@ int checkVerb(const Session& session) {
   const std::filesystem::path file = pathFromText(session.options.file);
   const std::string difference = project::checkCanonical(file);
   if (!difference.empty()) {
-    session.console.say("not canonical: " + difference);
+    session.console.say("  information project.not_canonical: " + difference);
   }
   Options options = session.options;
   options.project = options.file;

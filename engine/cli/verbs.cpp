@@ -27,7 +27,7 @@ void print(const Value& value) {
   std::fputs(toCanonicalJson(value).c_str(), stdout);
 }
 
-/// Empty file names and names of files that exist are refused: `new` never overwrites.
+/// `new` never overwrites.
 void refuseExisting(const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) {
     throw Error(ErrorCode::OutputConflict, "the file exists", pathText(file),
@@ -35,16 +35,11 @@ void refuseExisting(const std::filesystem::path& file) {
   }
 }
 
-/// A cell file by path, or by the name of one that comes with the program.
-std::filesystem::path cellFile(const std::string& name) {
-  const std::filesystem::path given = pathFromText(name);
-  if (std::filesystem::exists(given)) {
-    return given;
-  }
+/// Refuses all but the name of a cell that comes with the program.
+void checkShippedCell(const std::string& name) {
   const std::filesystem::path folder = plugin::dataFolder() / "cells";
-  const std::filesystem::path shipped = folder / (name + ".json");
-  if (std::filesystem::exists(shipped)) {
-    return shipped;
+  if (isValidId(name) && std::filesystem::exists(folder / (name + ".json"))) {
+    return;
   }
   std::vector<std::string> names;
   std::error_code ignored;
@@ -58,14 +53,24 @@ std::filesystem::path cellFile(const std::string& name) {
               "give a cell file or one of: " + joinText(names, ", "));
 }
 
-/// Copies a file beside the project, so that the project can be moved as a whole; a file that is
-/// there already stays.
-std::string copyBeside(const std::filesystem::path& source, const std::filesystem::path& project) {
+/// A file to put beside the project, so that the project can be moved as a whole.
+struct CopiedFile {
+  std::filesystem::path target;
+  std::string content;
+};
+
+/// Reads a file that is to be copied beside the project; nothing to copy when it or an equal one is
+/// there already. @return its name, as the project says it
+std::string planCopy(const std::filesystem::path& source,
+                     const std::filesystem::path& project,
+                     std::vector<CopiedFile>& copies) {
+  std::string content = readFile(source);
   const std::filesystem::path target = project.parent_path() / source.filename();
-  std::error_code ignored;
-  if (!std::filesystem::equivalent(source, target, ignored)) {
-    refuseExisting(target);
-    writeFileAtomically(target, readFile(source));
+  if (!std::filesystem::exists(target)) {
+    copies.push_back({target, std::move(content)});
+  } else if (readFile(target) != content) {
+    throw Error(ErrorCode::OutputConflict, "another file of this name lies beside the project",
+                pathText(target), "rename one of them");
   }
   return source.filename().native();
 }
@@ -121,27 +126,36 @@ std::vector<EngineSchema> engineSchemas() {
 int newVerb(const Session& session) {
   const Options& options = session.options;
   const std::filesystem::path file = pathFromText(options.file);
-  refuseExisting(file);
   if (file.extension() != ".wcam") {
-    throw Error(ErrorCode::InvalidArgument, "a project file ends in .wcam", pathText(file));
+    throw Error(ErrorCode::InvalidArgument, "a project file ends in .wcam", pathText(file),
+                "name it " + pathText(file.filename()) + ".wcam");
   }
-  const std::filesystem::path cellSource =
-      cellFile(options.cell.empty() ? "fanuc_arcmate120ic" : options.cell);
-  if (!options.part.empty() && !std::filesystem::exists(pathFromText(options.part))) {
-    throw Error(ErrorCode::InputNotFound, "the part file does not exist", options.part);
+  refuseExisting(file);
+  std::vector<CopiedFile> copies;
+  const std::string cellName = options.cell.empty() ? "fanuc_arcmate120ic" : options.cell;
+  std::string cell = std::string(project::kShippedPrefix) + "cells/" + cellName + ".json";
+  if (std::filesystem::is_regular_file(pathFromText(cellName))) {
+    cell = planCopy(pathFromText(cellName), file, copies);
+  } else {
+    checkShippedCell(cellName);
   }
+  const std::string part =
+      options.part.empty() ? std::string() : planCopy(pathFromText(options.part), file, copies);
   if (file.has_parent_path()) {
     createFolder(file.parent_path());
   }
-  const std::string cell = copyBeside(cellSource, file);
-  const std::string part =
-      options.part.empty() ? std::string() : copyBeside(pathFromText(options.part), file);
+  for (const CopiedFile& copy : copies) {
+    writeFileAtomically(copy.target, copy.content);
+  }
   const std::string name = options.name.empty() ? file.stem().native() : options.name;
   project::Document document =
       project::Document::parse(projectTemplate(name, part, cell), pathText(file));
   document = project::apply(document, project::pinCommand(document, file));
   project::saveProject(document, file);
   session.console.say("made " + pathText(file));
+  if (options.json) {
+    print(Value::object({{"project", pathText(file)}}));
+  }
   return 0;
 }
 
@@ -189,11 +203,21 @@ int applyVerb(const Session& session) {
   const std::filesystem::path log = pathFromText(session.options.commands);
   const std::filesystem::path target =
       session.options.output.empty() ? file : pathFromText(session.options.output);
+  std::error_code ignored;
+  if (std::filesystem::weakly_canonical(target, ignored).parent_path() !=
+      std::filesystem::weakly_canonical(file, ignored).parent_path()) {
+    throw Error(ErrorCode::InvalidArgument, "lies in another folder than the project",
+                pathText(target), "the project names its files relative to its own folder");
+  }
   const project::LoadedProject loaded = project::loadProject(file);
   project::History history(loaded.document);
   const std::size_t lines = history.replay(readFile(log), pathText(log));
   project::saveProject(history.current(), target);
-  session.console.say("applied " + std::to_string(lines) + " commands, saved " + pathText(target));
+  session.console.say("applied " + std::to_string(lines) + (lines == 1 ? " command" : " commands") +
+                      ", saved " + pathText(target));
+  if (session.options.json) {
+    print(Value::object({{"applied", lines}, {"project", pathText(target)}}));
+  }
   return 0;
 }
 
@@ -252,9 +276,23 @@ int schemaVerb(const Session& session) {
   for (const plugin::ComponentEntry& component : session.plugins->components()) {
     names.push_back(component.id);
   }
+  if (wanted.empty() && session.options.json) {
+    Value list = Value::array();
+    for (const std::string& name : names) {
+      list.push(Value(name));
+    }
+    print(Value::object({{"components", list}}));
+    return 0;
+  }
   if (wanted.empty()) {
     std::fputs((joinText(names, "\n") + "\n").c_str(), stdout);
     return 0;
+  }
+  if (std::find(names.begin(), names.end(), wanted) == names.end()) {
+    if (const auto near = nearestName(wanted, names)) {
+      throw Error(ErrorCode::PluginMissing, "there is no component '" + wanted + "'", {},
+                  "did you mean '" + *near + "'?");
+    }
   }
   const plugin::ComponentInfo info = session.plugins->info(wanted);
   print(info.params.jsonSchema(info.name));

@@ -234,7 +234,15 @@ process::ProcessParams Pipeline::processOf(const Operation& operation, Value& co
   if (!process.file.empty()) {
     const std::filesystem::path file = resolvePath(project_, process.file);
     const Value tree = parseJson(readFile(file), pathText(file));
-    params = tree.contains("params") ? tree.at("params") : tree;
+    params = tree.isObject() && tree.contains("params") ? tree.at("params") : tree;
+    if (!params.isObject()) {
+      throw Error(ErrorCode::ProjectInvalid, "the file holds no process parameters", pathText(file),
+                  "write them as {\"params\": {...}}; `camcli schema process` lists them");
+    }
+    std::vector<ParamProblem> problems;
+    checkParams(process::ProcessParams::schema().params(), params, "params", problems);
+    std::erase_if(problems, [](const ParamProblem& p) { return p.unknown; });
+    throwProblems(problems, ErrorCode::ProjectInvalid, pathText(file));
   }
   if (process.params.isObject()) {
     for (const auto& [key, value] : process.params.asObject()) {

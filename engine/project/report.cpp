@@ -63,6 +63,24 @@ Value listOf(const std::vector<Diagnostic>& findings) {
   return list;
 }
 
+Value errorValue(const RunFailure& failure) {
+  Value value = Value::object();
+  if (!failure.place.empty()) {
+    value.set("place", failure.place);
+  }
+  value.set("code", toString(failure.error.code()))
+      .set("exit_code", exitCodeOf(failure.error.code()))
+      .set("message", failure.error.what());
+  if (!failure.error.hint().empty()) {
+    value.set("hint", failure.error.hint());
+  }
+  return value;
+}
+
+Value reportHead() {
+  return Value::object({{"format", "wcam-report"}, {"format_version", kReportVersion}});
+}
+
 void addPath(Value& report, const OperationResult& result) {
   Range height;
   Range distance;
@@ -106,6 +124,19 @@ void addProcess(Value& report, const OperationResult& result) {
       .set("arc_time_s", s.time);
 }
 
+/// Length of the moves between the beads, point to point.
+double travelLength(const motion::Motion& motion) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < motion.waypoints.size(); ++i) {
+    if (!motion.waypoints[i].arc) {
+      length += (motion.waypoints[i].T_part_tcp.translation() -
+                 motion.waypoints[i - 1].T_part_tcp.translation())
+                    .norm();
+    }
+  }
+  return length;
+}
+
 Value jointValue(const std::string& name, const motion::JointStatistics& joint) {
   Value value = Value::object(
       {{"name", name}, {"min_deg", radToDeg(joint.min)}, {"max_deg", radToDeg(joint.max)}});
@@ -116,7 +147,8 @@ Value jointValue(const std::string& name, const motion::JointStatistics& joint) 
 
 void addMotion(Value& report, const OperationResult& result) {
   const motion::MotionStatistics& s = result.motion->statistics;
-  report.set("time_s", s.totalTime)
+  report.set("travel_length_mm", travelLength(result.motion->motion))
+      .set("time_s", s.totalTime)
       .set("min_dexterity", s.minDexterity)
       .set("max_joint_speed_ratio", s.maxJointSpeedRatio)
       .set("max_vertical_error_deg", radToDeg(s.maxVerticalError))
@@ -147,7 +179,8 @@ Value operationReport(const OperationResult& result) {
 Value projectReport(const Document& document,
                     const std::vector<OperationResult>& results,
                     const std::vector<WrittenFile>& files,
-                    const std::vector<Diagnostic>& projectFindings) {
+                    const std::vector<Diagnostic>& projectFindings,
+                    const std::vector<RunFailure>& failures) {
   Value operations = Value::array();
   std::vector<Diagnostic> findings = projectFindings;
   for (const OperationResult& result : results) {
@@ -165,12 +198,20 @@ Value projectReport(const Document& document,
     }
     written.push(entry);
   }
-  return Value::object({{"format", "wcam-report"},
-                        {"format_version", 1},
-                        {"project", document.project().name},
-                        {"operations", operations},
-                        {"files", written},
-                        {"diagnostics", listOf(findings)}});
+  Value errors = Value::array();
+  for (const RunFailure& failure : failures) {
+    errors.push(errorValue(failure));
+  }
+  return reportHead()
+      .set("project", document.project().name)
+      .set("operations", operations)
+      .set("files", written)
+      .set("diagnostics", listOf(findings))
+      .set("errors", errors);
+}
+
+Value failedReport(const RunFailure& failure) {
+  return reportHead().set("errors", Value(Value::Array{errorValue(failure)}));
 }
 
 }  // namespace wcam::project

@@ -7,25 +7,78 @@
 #include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <list>
 #include <map>
+#include <optional>
+#include <system_error>
 
 namespace wcam::project {
 
 namespace {
+
+constexpr const char* kReportFile = "report.json";
 
 struct PendingFile {
   WrittenFile file;
   std::string content;
 };
 
+/// The output folder, looked at before the long work; what was made for it goes again when the run
+/// ends without a file.
+class OutputFolder {
+public:
+  explicit OutputFolder(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (std::filesystem::path path = std::filesystem::absolute(folder, ignored).lexically_normal();
+         !std::filesystem::exists(path, ignored) && path.has_relative_path();
+         path = path.parent_path()) {
+      made_.push_back(path);
+    }
+    createFolder(folder);
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+      throw Error(ErrorCode::OutputConflict,
+                  "the folder cannot be written to: " + std::generic_category().message(errno),
+                  pathText(folder), "choose a folder that you may write to");
+    }
+  }
+
+  ~OutputFolder() {
+    std::error_code ignored;
+    for (const std::filesystem::path& path : made_) {
+      // Removes empty folders only.
+      std::filesystem::remove(path, ignored);
+    }
+  }
+
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+private:
+  std::vector<std::filesystem::path> made_;  ///< the innermost first
+};
+
+/// Each once, in the order of their first mention.
+std::vector<std::string> withoutRepeats(const std::vector<std::string>& names) {
+  std::vector<std::string> unique;
+  for (const std::string& name : names) {
+    if (std::find(unique.begin(), unique.end(), name) == unique.end()) {
+      unique.push_back(name);
+    }
+  }
+  return unique;
+}
+
 std::vector<std::string> operationIds(const Project& project, const RunRequest& request) {
-  std::vector<std::string> ids = request.operations;
-  if (ids.empty()) {
-    for (const Operation& operation : project.operations) {
-      if (operation.enabled) {
-        ids.push_back(operation.id);
-      }
+  std::vector<std::string> known;
+  std::vector<std::string> ids = withoutRepeats(request.operations);
+  for (const Operation& operation : project.operations) {
+    known.push_back(operation.id);
+    if (request.operations.empty() && operation.enabled) {
+      ids.push_back(operation.id);
     }
   }
   if (ids.empty()) {
@@ -33,38 +86,67 @@ std::vector<std::string> operationIds(const Project& project, const RunRequest& 
                 "add an operation or enable one");
   }
   for (const std::string& id : ids) {
-    if (project.operation(id) == nullptr) {
-      std::vector<std::string> known;
-      for (const Operation& operation : project.operations) {
-        known.push_back(operation.id);
-      }
+    if (std::find(known.begin(), known.end(), id) == known.end()) {
+      const auto near = nearestName(id, known);
       throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {},
-                  "operations: " + joinText(known, ", "));
+                  near ? "did you mean '" + *near + "'?" : "operations: " + joinText(known, ", "));
     }
   }
   return ids;
 }
 
-/// The stored outputs that the request names; a post-processor without a stored output gets one
-/// with its defaults.
-std::vector<Output> requestedOutputs(const Project& project, const RunRequest& request) {
+/// An output with the defaults of a post-processor that the project does not store.
+Output freshOutput(const Pipeline& pipeline, const std::string& name) {
+  try {
+    (void)pipeline.plugins().findPost(name);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::PluginMissing) {
+      throw;
+    }
+    std::vector<std::string> known;
+    for (const Output& output : pipeline.document().project().outputs) {
+      known.push_back(output.id);
+    }
+    for (const plugin::ComponentEntry& component : pipeline.plugins().components()) {
+      if (component.kind == plugin::ComponentKind::Post) {
+        known.push_back(component.id);
+      }
+    }
+    const auto near = nearestName(name, known);
+    throw Error(ErrorCode::PluginMissing,
+                "'" + name + "' is no output of the project, and no plugin provides it", {},
+                near ? "did you mean '" + *near + "'?" : "there are: " + joinText(known, ", "));
+  }
+  Output fresh;
+  fresh.id = name;
+  fresh.post = name;
+  fresh.params = Value::object();
+  return fresh;
+}
+
+/// The stored outputs that the request names, by their own id or by that of their post-processor.
+std::vector<Output> requestedOutputs(const Pipeline& pipeline, const RunRequest& request) {
+  const Project& project = pipeline.document().project();
   if (request.posts.empty()) {
     return project.outputs;
   }
   std::vector<Output> outputs;
+  const auto addOnce = [&outputs](const Output& output) {
+    if (std::none_of(outputs.begin(), outputs.end(),
+                     [&](const Output& other) { return other.id == output.id; })) {
+      outputs.push_back(output);
+    }
+  };
   for (const std::string& name : request.posts) {
-    const std::size_t before = outputs.size();
+    bool stored = false;
     for (const Output& output : project.outputs) {
       if (output.id == name || output.post == name) {
-        outputs.push_back(output);
+        addOnce(output);
+        stored = true;
       }
     }
-    if (outputs.size() == before) {
-      Output fresh;
-      fresh.id = name;
-      fresh.post = name;
-      fresh.params = Value::object();
-      outputs.push_back(fresh);
+    if (!stored) {
+      addOnce(freshOutput(pipeline, name));
     }
   }
   return outputs;
@@ -79,16 +161,20 @@ std::string joinedPath(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
 }
 
+std::string writerName(const WrittenFile& file) {
+  return file.output.empty() ? "the table of '" + file.operation + "'"
+                             : "the output '" + file.output + "' for '" + file.operation + "'";
+}
+
 /// Two files of one path would silently replace each other.
 void refuseDuplicates(const std::vector<PendingFile>& pending) {
-  std::map<std::string, const WrittenFile*> seen;
+  std::map<std::string, std::string> seen = {{kReportFile, "the report"}};
   for (const PendingFile& file : pending) {
-    const auto [other, fresh] = seen.emplace(file.file.path, &file.file);
+    const auto [other, fresh] = seen.emplace(file.file.path, writerName(file.file));
     if (!fresh) {
       throw Error(ErrorCode::OutputConflict,
-                  "the outputs '" + other->second->output + "' and '" + file.file.output +
-                      "' both write " + file.file.path,
-                  "outputs", "give one of them another folder");
+                  other->second + " and " + writerName(file.file) + " both write " + file.file.path,
+                  "outputs", "give one of the outputs another folder");
     }
   }
 }
@@ -122,6 +208,70 @@ void printOutputs(const Pipeline& pipeline,
   }
 }
 
+/// Files of the folder that its last report names and this run does not write.
+std::vector<std::string> leftFiles(const std::filesystem::path& folder,
+                                   const std::vector<WrittenFile>& written) {
+  std::vector<std::string> left;
+  try {
+    const Value report = parseJson(readFile(folder / kReportFile));
+    for (const Value& entry : report.at("files").asArray()) {
+      const std::string& path = entry.at("path").asString();
+      const bool again = std::any_of(written.begin(), written.end(),
+                                     [&](const WrittenFile& file) { return file.path == path; });
+      if (!again && std::filesystem::exists(folder / pathFromText(path))) {
+        left.push_back(path);
+      }
+    }
+  } catch (const std::exception&) {
+    // No report, or a file that only has its name: nothing is known about the folder.
+    left.clear();
+  }
+  return left;
+}
+
+/// Once begun, the files are written to the end: a cancel in between would leave programs of two
+/// runs side by side.
+void writeAll(const std::filesystem::path& folder,
+              const std::vector<PendingFile>& pending,
+              const Value& report) {
+  std::list<OutputFolder> folders;
+  for (const PendingFile& file : pending) {
+    const std::filesystem::path path = folder / pathFromText(file.file.path);
+    folders.emplace_back(path.parent_path());
+    writeFileAtomically(path, file.content);
+  }
+  writeFileAtomically(folder / kReportFile, toCanonicalJson(report));
+}
+
+/// A newer format may mean something else by what this program seems to understand.
+void refuseNewer(const Document& document) {
+  if (document.readOnly()) {
+    throw Error(ErrorCode::ProjectReadOnly,
+                "the project was written by a newer version, and this one understands it only in "
+                "part: no robot program is made from it",
+                {}, "use the newer version of WCAM; `camcli info` shows what is in the project");
+  }
+}
+
+void computeAll(const Pipeline& pipeline,
+                const std::vector<std::string>& ids,
+                const JobContext& context,
+                RunResult& result) {
+  const auto count = static_cast<double>(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto before = static_cast<double>(i);
+    try {
+      result.operations.push_back(pipeline.compute(
+          ids[i], context.portion(before / count, (before + 1.0) / count, ids[i])));
+      result.violations += hasViolation(result.operations.back()) ? 1U : 0U;
+    } catch (const CancelledError&) {
+      throw;
+    } catch (const Error& error) {
+      result.failures.push_back({"operation '" + ids[i] + "'", error});
+    }
+  }
+}
+
 }  // namespace
 
 int RunResult::exitCode() const {
@@ -134,54 +284,45 @@ int RunResult::exitCode() const {
 RunResult runProject(const Pipeline& pipeline,
                      const RunRequest& request,
                      const JobContext& context) {
-  const Project& project = pipeline.document().project();
-  std::vector<Diagnostic> projectFindings = pipeline.document().findings();
+  refuseNewer(pipeline.document());
+  RunResult result;
+  result.projectFindings = pipeline.document().findings();
   const std::vector<Diagnostic> warnings = pipeline.validate();
-  projectFindings.insert(projectFindings.end(), warnings.begin(), warnings.end());
-  const std::vector<std::string> ids = operationIds(project, request);
-  const std::vector<Output> outputs = requestedOutputs(project, request);
+  result.projectFindings.insert(result.projectFindings.end(), warnings.begin(), warnings.end());
+  const std::vector<std::string> ids = operationIds(pipeline.document().project(), request);
+  const std::vector<Output> outputs = requestedOutputs(pipeline, request);
+  std::optional<OutputFolder> folder;
   if (!request.checkOnly) {
-    createFolder(request.folder);
+    folder.emplace(request.folder);
   }
 
-  RunResult result;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const double begin = 0.9 * static_cast<double>(i) / static_cast<double>(ids.size());
-    const double end = 0.9 * static_cast<double>(i + 1) / static_cast<double>(ids.size());
-    try {
-      result.operations.push_back(pipeline.compute(ids[i], context.portion(begin, end, ids[i])));
-      result.violations += hasViolation(result.operations.back()) ? 1U : 0U;
-    } catch (const CancelledError&) {
-      throw;
-    } catch (const Error& error) {
-      result.failures.push_back({"operation '" + ids[i] + "'", error});
-    }
-  }
+  constexpr double kComputed = 0.9;
+  computeAll(pipeline, ids, context.portion(0.0, kComputed), result);
+  // Posts run for a check as well: what they refuse is a finding of the check.
   std::vector<PendingFile> pending;
-  if (!request.checkOnly) {
-    printOutputs(pipeline, outputs, context.portion(0.9, 0.95, "post-processing"), result, pending);
-    if (request.tables) {
-      for (const OperationResult& operation : result.operations) {
-        std::string table = operationTable(operation);
-        pending.push_back(
-            {{"", operation.id, operation.id + ".csv", table.size()}, std::move(table)});
-      }
+  printOutputs(pipeline, outputs, context.portion(kComputed, 0.95, "post-processing"), result,
+               pending);
+  if (request.tables) {
+    for (const OperationResult& operation : result.operations) {
+      context.check();
+      std::string table = operationTable(operation);
+      pending.push_back(
+          {{"", operation.id, operation.id + ".csv", table.size()}, std::move(table)});
     }
-    refuseDuplicates(pending);
   }
-  for (const PendingFile& file : pending) {
-    result.files.push_back(file.file);
-  }
-  result.report =
-      projectReport(pipeline.document(), result.operations, result.files, projectFindings);
+  refuseDuplicates(pending);
   if (!request.checkOnly) {
     for (const PendingFile& file : pending) {
-      context.check();
-      const std::filesystem::path path = request.folder / pathFromText(file.file.path);
-      createFolder(path.parent_path());
-      writeFileAtomically(path, file.content);
+      result.files.push_back(file.file);
     }
-    writeFileAtomically(request.folder / "report.json", toCanonicalJson(result.report));
+    result.leftFiles = leftFiles(request.folder, result.files);
+  }
+  result.report = projectReport(pipeline.document(), result.operations, result.files,
+                                result.projectFindings, result.failures);
+  context.check();
+  result.written = !request.checkOnly && !result.operations.empty();
+  if (result.written) {
+    writeAll(request.folder, pending, result.report);
   }
   context.report(1.0);
   return result;

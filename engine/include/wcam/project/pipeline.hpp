@@ -66,6 +66,8 @@ public:
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
 
+  [[nodiscard]] const plugin::PluginHost& plugins() const noexcept { return *plugins_; }
+
 private:
   template <class T>
   Staged<T> stage(const std::string& name,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/error.hpp"
 #include "wcam/base/value.hpp"
 #include "wcam/project/pipeline.hpp"
 
@@ -27,11 +28,24 @@ struct WrittenFile {
   std::size_t bytes = 0;
 };
 
-/// report.json: {"format": "wcam-report", "format_version": 1, "project", "operations", "files",
-/// "diagnostics"}.
+/// An operation or output that gave no result.
+struct RunFailure {
+  std::string place;  ///< "operation 'elbow'", empty for the whole run
+  Error error;
+};
+
+/// Version of report.json and of the tables; raised when a key changes its meaning or goes.
+inline constexpr int kReportVersion = 1;
+
+/// report.json: {"format": "wcam-report", "format_version", "project", "operations", "files",
+/// "diagnostics", "errors"}.
 Value projectReport(const Document& document,
                     const std::vector<OperationResult>& results,
                     const std::vector<WrittenFile>& files,
-                    const std::vector<Diagnostic>& projectFindings);
+                    const std::vector<Diagnostic>& projectFindings,
+                    const std::vector<RunFailure>& failures);
+
+/// The report of a run that could not begin: format, version and errors only.
+Value failedReport(const RunFailure& failure);
 
 }  // namespace wcam::project

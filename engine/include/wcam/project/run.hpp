@@ -23,18 +23,17 @@ struct RunRequest {
   bool checkOnly = false;  ///< compute and look, write nothing
 };
 
-/// An operation or output that gave no result.
-struct RunFailure {
-  std::string place;
-  Error error;
-};
-
 struct RunResult {
   std::vector<OperationResult> operations;  ///< those that could be computed
   std::vector<WrittenFile> files;
   std::vector<RunFailure> failures;
-  std::size_t violations = 0;
-  Value report;  ///< report.json
+  std::vector<Diagnostic> projectFindings;  ///< of the project and its files: changed hashes, ...
+  /// Files that the report of an earlier run in the folder names and this run has not written: they
+  /// may be out of date.
+  std::vector<std::string> leftFiles;
+  std::size_t violations = 0;  ///< operations with violations
+  bool written = false;        ///< false for a check, and when no operation could be computed
+  Value report;                ///< report.json
 
   /// 0, 5 for violations, else the code of the first failure.
   [[nodiscard]] int exitCode() const;
@@ -42,9 +41,12 @@ struct RunResult {
 
 /// Computes the operations and writes their programs, tables and report.json. Everything is
 /// computed before the first file is written, each file is replaced atomically, so that a failure
-/// or a cancel leaves no half-written output. An operation with violations gets no robot program:
-/// its findings tell why. A failing operation does not stop the others.
-/// @throws Error for problems of the request or the whole project; CancelledError
+/// or a cancel leaves no half-written output, and no empty folder. An operation with violations
+/// gets no robot program: its findings tell why. A failing operation does not stop the others; when
+/// all fail, nothing is written.
+/// @throws Error for problems of the request or the whole project: ProjectReadOnly for a project of
+/// a newer format, since a robot program made from what is understood of it could be wrong;
+/// PluginMissing for a post that is neither an output nor a component; CancelledError
 RunResult runProject(const Pipeline& pipeline,
                      const RunRequest& request,
                      const JobContext& context);

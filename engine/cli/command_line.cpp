@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.hpp"
+
+#include "wcam/base/text.hpp"
+
+namespace wcam::cli {
+
+namespace {
+
+constexpr const char* kPurpose =
+    "Prepares parts for robotic wire-arc additive manufacturing. camcli --project part.wcam "
+    "computes the project and exports what it stores.";
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 ok, 1 usage, 2 internal, 3 input or project, 4 output conflict, 5 check "
+    "violations, 6 job failed,\n7 plugin missing or refused, 130 cancelled.";
+
+/// The verb that was given last: `plugins list` rather than `plugins`.
+const CLI::App& innermost(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? app : innermost(*verbs.front());
+}
+
+std::string commandName(const CLI::App& app) {
+  return app.get_parent() == nullptr ? app.get_name()
+                                     : commandName(*app.get_parent()) + " " + app.get_name();
+}
+
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> verbNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    names.push_back(verb->get_name());
+  }
+  return names;
+}
+
+std::string unexpected(const std::string& word, const CLI::App& app) {
+  const bool option = word.starts_with("-");
+  // A verb can only be the first word.
+  const bool verb = !option && !app.get_subcommands({}).empty();
+  const auto near = nearestName(word, option ? optionNames(app) : verbNames(app));
+  return std::string(option ? "there is no option '"
+                     : verb ? "there is no verb '"
+                            : "nothing was expected where it says '") +
+         word + "'" + (near ? "; did you mean '" + *near + "'?" : "");
+}
+
+}  // namespace
+
+CommandLine::CommandLine() : app_(kPurpose) {
+  app_.name("camcli");
+  app_.set_version_flag("--version", std::string("camcli ") + WCAM_VERSION);
+  app_.add_option("--project", options_.project, "Project file to compute and export")
+      ->type_name("FILE");
+  app_.add_option("--output", options_.output,
+                  "Output folder (default: <project>-out beside the project)")
+      ->type_name("DIR");
+  addSelection(app_);
+  app_.add_flag("--table", options_.table, "Also write <operation>.csv, one row per point");
+  app_.add_flag("--check", options_.check,
+                "Compute and check, write nothing; exit code 5 on violations");
+  addCommon(app_);
+  addFileVerbs();
+  addOtherVerbs();
+  app_.require_subcommand(0, 1);
+  app_.footer(kExitCodes);
+}
+
+void CommandLine::addSelection(CLI::App& target) {
+  target.add_option("--post", options_.posts, "Only this output or post-processor (repeatable)")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  target.add_option("--operation", options_.operations, "Only this operation (repeatable)")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  target
+      .add_option(
+          "--set", options_.settings,
+          "Change a parameter for this run, e.g. step=2.5mm or elbow.params.step=2mm (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  target.add_option("--report", options_.report, "Write the report to this file as well")
+      ->type_name("FILE");
+}
+
+void CommandLine::addCommon(CLI::App& target) {
+  target.add_flag("--json", options_.json, "Print the result as one JSON document on stdout");
+  target
+      .add_option("--threads", options_.threads, "Number of threads (default: one per processor)")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  target.add_flag("--quiet", options_.quiet, "Print errors and violations only");
+  target.add_option("--plugin", options_.plugins, "Plugin library to load first (repeatable)")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  target.add_flag("--no-user-plugins", options_.noUserPlugins,
+                  "Ignore WCAM_PLUGIN_PATH and the user's plugin folder");
+}
+
+CLI::App* CommandLine::addVerb(CLI::App& parent,
+                               const char* name,
+                               const char* help,
+                               int (*function)(const Session&)) {
+  CLI::App* verb = parent.add_subcommand(name, help);
+  verb->callback([this, function] { verb_ = function; });
+  addCommon(*verb);
+  return verb;
+}
+
+void CommandLine::addFileVerbs() {
+  CLI::App* create = addVerb(
+      app_, "new", "Make a project with a plate, a process and a planar operation", newVerb);
+  create->add_option("file", options_.file, "Project file to make")->required()->type_name("FILE");
+  create->add_option("--part", options_.part, "Part file, copied beside the project")
+      ->type_name("FILE");
+  create
+      ->add_option("--cell", options_.cell,
+                   "Cell file, copied beside the project, or the name of one that comes with the "
+                   "program (default: fanuc_arcmate120ic)")
+      ->type_name("CELL");
+  create->add_option("--name", options_.name, "Name of the project")->type_name("TEXT");
+  CLI::App* info =
+      addVerb(app_, "info", "Tell what is in a part, cell or project file, as JSON", infoVerb);
+  info->add_option("file", options_.file, "File to look at")->required()->type_name("FILE");
+  CLI::App* apply = addVerb(
+      app_, "apply", "Apply a log of commands (JSON lines) to a project and save it", applyVerb);
+  apply->add_option("project", options_.file, "Project file")->required()->type_name("PROJECT");
+  apply->add_option("commands", options_.commands, "Commands, one JSON object per line")
+      ->required()
+      ->type_name("COMMANDS.jsonl");
+  apply->add_option("--output", options_.output, "Save as this project file instead")
+      ->type_name("FILE");
+  CLI::App* check =
+      addVerb(app_, "check", "Check a project: format, files, parameters, reach; writes nothing",
+              checkVerb);
+  check->add_option("project", options_.file, "Project file")->required()->type_name("PROJECT");
+  addSelection(*check);
+}
+
+void CommandLine::addOtherVerbs() {
+  CLI::App* plugins = app_.add_subcommand("plugins", "Plugins")->require_subcommand(1);
+  addVerb(*plugins, "list", "List all plugins with verdict and reason", pluginsListVerb);
+  CLI::App* schema =
+      addVerb(app_, "schema", "Print the JSON schema of a component, or the list of components",
+              schemaVerb);
+  schema->add_option("component", options_.component, "Component id")->type_name("COMPONENT");
+  CLI::App* completion =
+      app_.add_subcommand("completion", "Print the completion script of a shell");
+  completion->add_option("shell", options_.shell, "bash or zsh")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh"}));
+  completion->callback([this] { completion_ = true; });
+}
+
+Error CommandLine::usageError(const CLI::ParseError& error) const {
+  const CLI::App& app = innermost(app_);
+  std::string message = error.what();
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    const std::vector<std::string> words = app_.remaining(true);
+    message = unexpected(words.empty() ? std::string() : words.front(), app);
+  } else if (!app.get_subcommands({}).empty() && app.get_parent() != nullptr) {
+    message = "'" + app.get_name() + "' needs one of: " + joinText(verbNames(app), ", ");
+  }
+  return Error(ErrorCode::InvalidArgument, message, {},
+               "`" + commandName(app) + " --help` tells what there is");
+}
+
+std::optional<std::string> CommandLine::parse(int argc, char** argv) {
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return app_.help();
+  } catch (const CLI::CallForVersion& version) {
+    return std::string(version.what()) + "\n";
+  } catch (const CLI::ParseError& error) {
+    throw usageError(error);
+  }
+  if (verb_ == nullptr && !completion_) {
+    if (options_.project.empty()) {
+      throw Error(
+          ErrorCode::InvalidArgument, "give a project with --project, or a verb", {},
+          "verbs: " + joinText(verbNames(app_), ", ") + "; `camcli --help` tells what there is");
+    }
+    verb_ = runProjectVerb;
+  } else if (!options_.project.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "--project and a verb cannot stand together", {},
+                "name the project after the verb");
+  }
+  return std::nullopt;
+}
+
+}  // namespace wcam::cli

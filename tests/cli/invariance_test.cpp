@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The same project gives the same bytes, whoever runs it, where, when and on how many threads.
+#include "camcli.hpp"
+
+namespace wcam::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Invariance : public CamcliTest {
+protected:
+  Files exported(const fs::path& project,
+                 std::vector<std::string> more = {},
+                 ProcessRequest request = {}) const {
+    const fs::path out = folder_ / "result";
+    fs::remove_all(out);
+    std::vector<std::string> arguments = {"--project", project,   "--output",
+                                          out,         "--table", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = camcli(arguments, request);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return filesBelow(out);
+  }
+
+  const fs::path elbow_ = exampleFolder("elbow") / "elbow.wcam";
+};
+
+void expectSame(const Files& a, const Files& b) {
+  ASSERT_FALSE(a.empty());
+  ASSERT_EQ(a.size(), b.size());
+  for (const auto& [name, content] : a) {
+    ASSERT_TRUE(b.contains(name)) << name;
+    EXPECT_TRUE(b.at(name) == content) << name << " differs";
+  }
+}
+
+TEST_F(Invariance, Threads) {
+  for (const char* name : {"elbow", "branches", "hemisphere", "supportless"}) {
+    const fs::path project = exampleFolder(name) / (std::string(name) + ".wcam");
+    const Files one = exported(project, {"--threads", "1"});
+    expectSame(one, exported(project, {"--threads", "2"}));
+    expectSame(one, exported(project, {"--threads", "8"}));
+    expectSame(one, exported(project));
+  }
+}
+
+TEST_F(Invariance, SecondRunIntoTheSameFolder) {
+  const Files first = exported(elbow_);
+  const ProcessResult again =
+      camcli({"--project", elbow_, "--output", "result", "--table", "--quiet"});
+  EXPECT_EQ(again.exitCode, 0);
+  EXPECT_EQ(again.err, "");
+  expectSame(first, filesBelow(folder_ / "result"));
+}
+
+TEST_F(Invariance, LocaleAndTimeZone) {
+  const Files plain = exported(elbow_);
+  ProcessRequest german;
+  // Where the locale is missing, the program must not fail either.
+  german.environment = {{"LC_ALL", "de_DE.UTF-8"},
+                        {"LANG", "de_DE.UTF-8"},
+                        {"TZ", "Pacific/Kiritimati"},
+                        {"LANGUAGE", "de"}};
+  expectSame(plain, exported(elbow_, {}, german));
+  ProcessRequest posix;
+  posix.environment = {{"LC_ALL", "C"}, {"TZ", "America/New_York"}};
+  expectSame(plain, exported(elbow_, {}, posix));
+}
+
+TEST_F(Invariance, WorkingDirectory) {
+  const Files plain = exported(elbow_);
+  ProcessRequest inFolder;
+  inFolder.folder = exampleFolder("elbow");
+  expectSame(plain, exported("elbow.wcam", {}, inFolder));
+  inFolder.folder = "/";
+  expectSame(plain, exported(fs::relative(elbow_, "/"), {}, inFolder));
+}
+
+TEST_F(Invariance, FolderWithSpacesAndAccents) {
+  const Files plain = exported(elbow_);
+  const fs::path project = example("elbow", "pièce n° 1 – Übung 日本");
+  expectSame(plain, exported(project));
+  const ProcessResult result = camcli({"--project", project});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_NE(result.err.find("pièce n° 1 – Übung 日本"), std::string::npos)
+      << "the name is not readable: " << result.err;
+  EXPECT_TRUE(fs::exists(project.parent_path() / "elbow-out/report.json"));
+}
+
+TEST_F(Invariance, UserPluginsAndTheirFolder) {
+  const Files plain = exported(elbow_);
+  ProcessRequest request;
+  request.environment = {{"WCAM_PLUGIN_PATH", WCAM_PROBES}};
+  expectSame(plain, exported(elbow_, {"--no-user-plugins"}, request));
+  expectSame(plain, exported(elbow_, {}, request));
+}
+
+}  // namespace
+}  // namespace wcam::testing

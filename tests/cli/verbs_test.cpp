@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/text.hpp"
+
+#include "camcli.hpp"
+
+namespace wcam::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Verbs : public CamcliTest {
+protected:
+  /// Writes a file into the test's folder. @return its name
+  std::string file(const std::string& name, const std::string& content) const {
+    writeFileAtomically(folder_ / name, content);
+    return name;
+  }
+
+  const fs::path part_ = exampleFolder("elbow") / "elbow.step";
+};
+
+TEST_F(Verbs, NewMakesAProjectThatRuns) {
+  const ProcessResult made = camcli({"new", "a/part one.wcam", "--part", part_});
+  EXPECT_EQ(made.exitCode, 0) << made.err;
+  EXPECT_EQ(readFile(folder_ / "a/elbow.step"), readFile(part_));
+  const ProcessResult run = camcli({"--project", "a/part one.wcam"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.err, Not(HasSubstr("hash_changed")));
+  EXPECT_TRUE(fs::exists(folder_ / "a/part one-out/BUILD.LS"));
+  EXPECT_EQ(camcli({"check", "a/part one.wcam"}).err.find("not_canonical"), std::string::npos);
+  // A second project of the same part beside it.
+  EXPECT_EQ(camcli({"new", "a/two.wcam", "--part", part_, "--name", "Zwei"}).exitCode, 0);
+  EXPECT_EQ(parseJson(readFile(folder_ / "a/two.wcam")).at("name").asString(), "Zwei");
+}
+
+TEST_F(Verbs, NewWithEveryCellOfTheProgram) {
+  for (const auto& entry : fs::directory_iterator(fs::path(WCAM_RESOURCES) / "cells")) {
+    const std::string cell = entry.path().stem().native();
+    const std::string project = cell + ".wcam";
+    EXPECT_EQ(camcli({"new", project, "--part", part_, "--cell", cell}).exitCode, 0);
+    EXPECT_EQ(camcli({"info", project}).exitCode, 0);
+  }
+  const fs::path own = fs::path(WCAM_RESOURCES) / "cells/fanuc_arcmate120ic.json";
+  EXPECT_EQ(camcli({"new", "own/own.wcam", "--part", part_, "--cell", own}).exitCode, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "own/fanuc_arcmate120ic.json"));
+  EXPECT_EQ(camcli({"check", "own/own.wcam"}).exitCode, 0);
+}
+
+TEST_F(Verbs, NewNeverOverwrites) {
+  file("a.wcam", "precious");
+  const ProcessResult project = camcli({"new", "a.wcam", "--part", part_});
+  EXPECT_EQ(project.exitCode, 4);
+  EXPECT_THAT(project.err, HasSubstr("a.wcam: the file exists"));
+  file("elbow.step", "another part");
+  const ProcessResult part = camcli({"new", "b.wcam", "--part", part_});
+  EXPECT_EQ(part.exitCode, 4);
+  EXPECT_THAT(part.err, HasSubstr("elbow.step"));
+  EXPECT_EQ(filesBelow(folder_.path()),
+            (Files{{"a.wcam", "precious"}, {"elbow.step", "another part"}}));
+}
+
+TEST_F(Verbs, NewRefusesWhatItCannotUse) {
+  EXPECT_THAT(camcli({"new", "b.txt"}).err, HasSubstr("ends in .wcam"));
+  EXPECT_EQ(camcli({"new", "b.txt"}).exitCode, 1);
+  const ProcessResult part = camcli({"new", "b/b.wcam", "--part", "missing.step"});
+  EXPECT_EQ(part.exitCode, 3);
+  EXPECT_THAT(part.err, HasSubstr("missing.step"));
+  const ProcessResult cell = camcli({"new", "b/b.wcam", "--cell", "foo"});
+  EXPECT_EQ(cell.exitCode, 3);
+  EXPECT_THAT(cell.err, HasSubstr("fanuc_arcmate120ic, "));
+  EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+TEST_F(Verbs, InfoOfPartCellAndProject) {
+  const ProcessResult part = camcli({"info", part_});
+  EXPECT_EQ(part.exitCode, 0);
+  const Value report = parseJson(part.out);
+  EXPECT_EQ(report.at("format").asString(), "STEP");
+  EXPECT_EQ(report.at("faces").asInteger(), 1);
+  bool guide = false;
+  for (const Value& edge : report.at("edge_list").asArray()) {
+    guide = guide || edge.at("name").asString() == "guide";
+  }
+  EXPECT_TRUE(guide);
+  const ProcessResult mesh =
+      camcli({"info", exampleFolder("branches") / "branches_70_closed_low_res.stl"});
+  EXPECT_EQ(mesh.exitCode, 0);
+  EXPECT_EQ(parseJson(mesh.out).at("format").asString(), "STL");
+  const ProcessResult cell =
+      camcli({"info", fs::path(WCAM_RESOURCES) / "cells/fanuc_arcmate120ic.json"});
+  EXPECT_EQ(cell.exitCode, 0);
+  EXPECT_EQ(parseJson(cell.out).at("joints").asInteger(), 8);
+  const fs::path project = exampleFolder("elbow") / "elbow.wcam";
+  EXPECT_EQ(camcli({"info", project}).out, readFile(project));
+}
+
+TEST_F(Verbs, InfoOfOtherFiles) {
+  for (const std::string& name :
+       {file("notes.txt", "hello"), file("empty.stl", ""), file("a.json", "[1, 2]"),
+        file("b.json", "{\"name\": 1"), file("c.wcam", "{}"), std::string("missing.step"),
+        std::string(".")}) {
+    const ProcessResult result = camcli({"info", name});
+    EXPECT_EQ(result.exitCode, 3) << name << ": " << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr(name));
+  }
+}
+
+constexpr const char* kRename = R"({"command": "project.rename", "args": {"name": "Krümmer"}})";
+constexpr const char* kStep =
+    R"({"command": "operation.set_param", "args": {"id": "planar", "section": "params", )"
+    R"("key": "step", "value": 4}})";
+
+TEST_F(Verbs, ApplyChangesWhatTheCommandsSayAndNoMore) {
+  const fs::path project = example("elbow");
+  const std::string before = replaced(readFile(project), "\"name\": \"elbow\",\n",
+                                      "\"name\": \"elbow\",\n  \"x_note\": {\n    \"b\": 1.5,\n"
+                                      "    \"a\": [true, null]\n  },\n");
+  writeFileAtomically(project, before);
+  const ProcessResult result = camcli(
+      {"apply", project, file("log.jsonl", "# a comment\n\n" + std::string(kRename) + "\n")});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(readFile(project), replaced(before, "\"name\": \"elbow\"", "\"name\": \"Krümmer\""));
+  EXPECT_EQ(camcli({"apply", project,
+                    file("undo.jsonl", std::string(kStep) + "\n" + R"({"command": "undo"})")})
+                .exitCode,
+            0);
+  EXPECT_EQ(readFile(project), replaced(before, "\"name\": \"elbow\"", "\"name\": \"Krümmer\""));
+}
+
+TEST_F(Verbs, ApplyToAnotherFileKeepsTheFirst) {
+  const fs::path project = example("elbow");
+  const std::string before = readFile(project);
+  const ProcessResult result = camcli(
+      {"apply", project, file("log.jsonl", kStep), "--output", "elbow/finer.wcam", "--json"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(parseJson(result.out).at("applied").asInteger(), 1);
+  EXPECT_EQ(readFile(project), before);
+  EXPECT_EQ(camcli({"check", "elbow/finer.wcam"}).exitCode, 0);
+  // There it would not find its part.
+  EXPECT_EQ(camcli({"apply", project, "log.jsonl", "--output", "finer.wcam"}).exitCode, 1);
+  EXPECT_FALSE(fs::exists(folder_ / "finer.wcam"));
+}
+
+TEST_F(Verbs, ApplyNamesTheBadLineAndLeavesTheProject) {
+  const fs::path project = example("elbow");
+  const std::string before = readFile(project);
+
+  struct Case {
+    std::string line;
+    int exitCode;
+  };
+
+  for (const auto& [line, exitCode] :
+       {Case{"{not json", 3}, Case{"[1]", 1}, Case{R"({"command": "no.such", "args": {}})", 1},
+        Case{R"({"command": "operation.remove", "args": {"id": "nobody"}})", 1},
+        Case{R"({"command": "part.remove", "args": {"id": "elbow"}})", 1},
+        Case{R"({"command": "redo"})", 1}}) {
+    const ProcessResult result = camcli(
+        {"apply", project, file("log.jsonl", std::string(kRename) + "\n" + line + "\n" + kStep)});
+    EXPECT_EQ(result.exitCode, exitCode) << line << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr("log.jsonl, line 2")) << line;
+    EXPECT_EQ(readFile(project), before);
+  }
+  EXPECT_EQ(camcli({"apply", project, "missing.jsonl"}).exitCode, 3);
+}
+
+TEST_F(Verbs, CheckTellsTheFormAndTheFindings) {
+  const fs::path project = example("elbow");
+  const ProcessResult good = camcli({"check", project});
+  EXPECT_EQ(good.exitCode, 0);
+  EXPECT_THAT(good.err, Not(HasSubstr("not_canonical")));
+  writeFileAtomically(project, toCompactJson(parseJson(readFile(project))));
+  const ProcessResult compact = camcli({"check", project, "--operation", "guide", "--json"});
+  EXPECT_EQ(compact.exitCode, 0);
+  EXPECT_THAT(compact.err, HasSubstr("saving would change line 1"));
+  EXPECT_EQ(parseJson(compact.out).at("operations").asArray().size(), 1U);
+  EXPECT_FALSE(fs::exists(project.parent_path() / "elbow-out"));
+}
+
+TEST_F(Verbs, SchemaOfEveryComponentIsJson) {
+  const ProcessResult list = camcli({"schema"});
+  EXPECT_EQ(list.exitCode, 0);
+  std::vector<std::string> names = splitText(list.out, '\n');
+  names.pop_back();
+  for (const char* name : {"commands", "import", "motion", "path", "process", "wcam.post.fanuc",
+                           "wcam.post.kuka", "wcam.slicing.guide", "wcam.slicing.planar"}) {
+    EXPECT_THAT(names, ::testing::Contains(name));
+  }
+  const Value json = parseJson(camcli({"schema", "--json"}).out);
+  EXPECT_EQ(json.at("components").asArray().size(), names.size());
+  for (const std::string& name : names) {
+    const ProcessResult schema = camcli({"schema", name});
+    EXPECT_EQ(schema.exitCode, 0) << name << schema.err;
+    EXPECT_EQ(schema.err, "");
+    const Value tree = parseJson(schema.out);
+    if (name != "commands") {
+      EXPECT_EQ(tree.at("type").asString(), "object") << name;
+      EXPECT_TRUE(tree.at("properties").isObject()) << name;
+    }
+  }
+  const ProcessResult wrong = camcli({"schema", "wcam.slicing.plana"});
+  EXPECT_EQ(wrong.exitCode, 7);
+  EXPECT_THAT(wrong.err, HasSubstr("wcam.slicing.planar"));
+}
+
+class Completion : public Verbs {
+protected:
+  ProcessResult bash(const std::string& script) const {
+    ProcessRequest request;
+    request.program = "/bin/bash";
+    request.arguments = {"--norc", "-c", script};
+    request.folder = folder_.path();
+    request.environment["PATH"] =
+        fs::path(WCAM_CAMCLI).parent_path().native() + ":" + std::getenv("PATH");
+    return runProcess(request);
+  }
+
+  std::string completed(const std::string& words, int index) const {
+    return bash("source ./script; COMP_WORDS=(" + words + "); COMP_CWORD=" + std::to_string(index) +
+                "; _camcli; echo \"${COMPREPLY[*]}\"")
+        .out;
+  }
+};
+
+class CompletionOf : public Completion, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(CompletionOf, IsAccepted) {
+  const ProcessResult script = camcli({"completion", GetParam()});
+  EXPECT_EQ(script.exitCode, 0);
+  file("script", script.out);
+  // zsh runs the same function through bashcompinit.
+  const ProcessResult syntax = bash("bash -n ./script");
+  EXPECT_EQ(syntax.exitCode, 0) << syntax.err;
+  EXPECT_THAT(script.out, HasSubstr("_camcli camcli"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Shells, CompletionOf, ::testing::Values("bash", "zsh"));
+
+TEST_F(Completion, GivesVerbsOptionsAndComponents) {
+  file("script", camcli({"completion", "bash"}).out);
+  EXPECT_THAT(completed("camcli --pro", 1), HasSubstr("--project"));
+  EXPECT_EQ(completed("camcli che", 1), "check\n");
+  EXPECT_EQ(completed("camcli apply --out", 2), "--output\n");
+  EXPECT_THAT(completed("camcli new --", 2), HasSubstr("--part"));
+  EXPECT_THAT(completed("camcli new --", 2), Not(HasSubstr("--table")));
+  EXPECT_EQ(completed("camcli plugins l", 2), "list\n");
+  EXPECT_EQ(completed("camcli completion z", 2), "zsh\n");
+  EXPECT_THAT(completed("camcli schema wcam.slicing.", 2), HasSubstr("wcam.slicing.planar"));
+  file("some.wcam", "");
+  EXPECT_EQ(completed("camcli --project so", 2), "some.wcam\n");
+}
+
+}  // namespace
+}  // namespace wcam::testing
