@@ -14,6 +14,7 @@ if(TARGET camcli)
   file(RELATIVE_PATH library_from_program "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}")
   set_target_properties(camcli PROPERTIES INSTALL_RPATH "$ORIGIN/${library_from_program}")
   install(TARGETS camcli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT cli)
+  install(FILES "${PROJECT_SOURCE_DIR}/packaging/camcli.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT cli)
 endif()
 
 foreach(folder cells processes projects doc schema)

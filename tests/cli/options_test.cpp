@@ -236,5 +236,24 @@ TEST_F(Options, HelpAndVersionGoToStandardOutput) {
   EXPECT_THAT(version.out, ::testing::MatchesRegex("camcli [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
+/// Every option of the help stands in the user's page and in the man page.
+TEST_F(Options, AreDocumented) {
+  const std::string page = readFile(fs::path(WCAM_RESOURCES) / "doc/camcli.md");
+  const std::string manual =
+      replaced(readFile(fs::path(WCAM_RESOURCES).parent_path() / "packaging/camcli.1"), "\\-", "-");
+  const std::string help = camcli({"--help"}).out;
+  int options = 0;
+  for (std::size_t at = help.find("--"); at != std::string::npos; at = help.find("--", at + 2)) {
+    const std::size_t end = help.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at);
+    const std::string option = help.substr(at, end - at);
+    EXPECT_THAT(manual, HasSubstr(option));
+    if (option != "--version") {
+      EXPECT_THAT(page, HasSubstr(option));
+    }
+    ++options;
+  }
+  EXPECT_GT(options, 12);
+}
+
 }  // namespace
 }  // namespace wcam::testing
