@@ -224,25 +224,29 @@ private:
       pathText(file), "check the part in the CAD system and export it again");
 }
 
-/// Refuses a model with entities whose parameters could not be read: they come as null objects, and
-/// the translation does not expect them everywhere.
-void requireSoundModel(const std::filesystem::path& file,
-                       const char* format,
-                       const Handle(XSControl_WorkSession) & session) {
+/// Tells of entities whose parameters could not be read. Many files have some (names without
+/// quotes), mostly without harm; the shapes that come of the others may lack something.
+void tellDamagedEntities(const char* format,
+                         const Handle(XSControl_WorkSession) & session,
+                         const JobContext& context) {
   const Handle(Interface_InterfaceModel) model = session->Model();
-  if (model.IsNull()) {
-    return;
-  }
-  for (int i = 1; i <= model->NbEntities(); ++i) {
+  std::size_t count = 0;
+  std::string first;
+  for (int i = 1; !model.IsNull() && i <= model->NbEntities(); ++i) {
     const Handle(Interface_Check)& check = model->Check(i, Standard_True);
-    if (model->IsErrorEntity(i) || (!check.IsNull() && check->HasFailed())) {
+    if (!check.IsNull() && check->HasFailed() && count++ == 0) {
       const Handle(TCollection_HAsciiString) label = model->StringLabel(model->Value(i));
-      const std::string cause = check->NbFails() > 0 ? check->CFail(1) : "unreadable";
-      throw Error(ErrorCode::InputInvalid,
-                  std::string("entity ") + printableName(label->ToCString()) + " of the " + format +
-                      " file is damaged: " + printableName(cause),
-                  pathText(file), "export the part again");
+      first = printableName(label->ToCString()) + ": " + printableName(check->CFail(1));
     }
+  }
+  if (count > 0) {
+    context.add({Severity::Warning,
+                 "import.damaged_entities",
+                 std::to_string(count) + " entities of the " + format +
+                     " file break its rules, the first is " + first,
+                 "check that the part is complete",
+                 {},
+                 {{"count", static_cast<double>(count)}}});
   }
 }
 
@@ -269,7 +273,7 @@ CadModel readStep(const std::filesystem::path& file,
   if (status != IFSelect_RetDone) {
     cannotRead(file, "STEP", session);
   }
-  requireSoundModel(file, "STEP", reader.ChangeReader().WS());
+  tellDamagedEntities("STEP", reader.ChangeReader().WS(), context);
   CadModel model;
   TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
   reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
@@ -299,7 +303,7 @@ CadModel readIges(const std::filesystem::path& file,
   if (status != IFSelect_RetDone) {
     cannotRead(file, "IGES", session);
   }
-  requireSoundModel(file, "IGES", reader.WS());
+  tellDamagedEntities("IGES", reader.WS(), context);
   CadModel model;
   const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
   model.unit = IGESData_BasicEditor::UnitFlagName(global.UnitFlag());

@@ -6,6 +6,7 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/sha256.hpp"
 
+#include "cad_process.hpp"
 #include "file_bytes.hpp"
 #include "file_format.hpp"
 #include "mesh_readers.hpp"
@@ -150,8 +151,8 @@ ImportedPart importPart(const std::filesystem::path& file,
   const std::string hash = contentHash(bytes->view(), options, T_part_file);
   geometry::PartSurface surface;
   if (isCad(job.format)) {
-    surface = buildCadPart(bytes->view(), job, part.report,
-                           context.portion(0.05, 0.95, "Reading CAD part"));
+    surface = buildCadPartApart(bytes->view(), job, part.report,
+                                context.portion(0.05, 0.95, "Reading CAD part"));
   } else {
     RawMesh raw = readMesh(bytes->view(), job, context.portion(0.05, 0.5, "Reading mesh"));
     bytes.reset();

@@ -123,7 +123,7 @@ void readAnything(const std::filesystem::path& file) {
     EXPECT_EQ(error.code(), ErrorCode::InputInvalid) << error.what();
     EXPECT_THAT(error.what(), HasSubstr(file.filename().string()));
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
 TEST(BadInput, ValidFilesAreRead) {
@@ -168,7 +168,7 @@ TEST(BadInput, RandomBytesOfEveryFormat) {
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
   for (const std::string& extension : kExtensions) {
-    for (int run = 0; run < 20; ++run) {
+    for (int run = 0; run < 10; ++run) {
       std::string bytes(1 + random() % 5000, '\0');
       for (char& c : bytes) {
         c = static_cast<char>(random());
@@ -208,7 +208,7 @@ TEST(BadInput, CutOffAnywhere) {
   std::mt19937 random(seed);
   for (const std::string& name : files.names()) {
     const std::string valid = test::readBytes(files / name);
-    for (int run = 0; run < 25; ++run) {
+    for (int run = 0; run < 12; ++run) {
       const std::size_t size = 1 + random() % (valid.size() - 1);
       SCOPED_TRACE(name + " cut at " + std::to_string(size));
       test::writeBytes(folder / name, valid.substr(0, size));
@@ -237,7 +237,7 @@ TEST(BadInput, ChangedBytes) {
   std::mt19937 random(seed);
   for (const std::string& name : files.names()) {
     const std::string valid = test::readBytes(files / name);
-    for (int run = 0; run < 25; ++run) {
+    for (int run = 0; run < 12; ++run) {
       SCOPED_TRACE(name + " run " + std::to_string(run));
       std::string bytes = valid;
       for (int i = 0; i < 5; ++i) {

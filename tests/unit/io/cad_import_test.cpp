@@ -3,6 +3,7 @@
 #include "wcam/base/error.hpp"
 #include "wcam/io/import.hpp"
 
+#include "cad_process.hpp"
 #include "export_brep.hpp"
 #include "io_files.hpp"
 #include <BRepAdaptor_Surface.hxx>
@@ -544,6 +545,46 @@ TEST(CadImport, SeveralThreadsMayImport) {
     }
   }
   EXPECT_THAT(counts, testing::Each(counts[0]));
+}
+
+TEST(CadImport, WorkerGivesTheSameAsThisProcess) {
+  const auto file = kProjects / "supportless" / "supportless_sample.stp";
+  const Pose pose(Eigen::AngleAxisd(0.3, Vec3::UnitX()) * Eigen::Translation3d(1, 2, 3));
+  const ImportOptions options;
+  const std::string bytes = test::readBytes(file);
+  const ImportJob job{file, file.string(), FileFormat::Step, options, pose};
+  const JobContext hereContext;
+  const JobContext thereContext;
+  ImportReport hereReport;
+  ImportReport thereReport;
+  const PartSurface here = buildCadPart(bytes, job, hereReport, hereContext);
+  const PartSurface there = buildCadPartApart(bytes, job, thereReport, thereContext);
+  EXPECT_EQ(here.mesh.vertices, there.mesh.vertices);
+  EXPECT_EQ(here.mesh.triangles, there.mesh.triangles);
+  EXPECT_EQ(here.binding.face, there.binding.face);
+  EXPECT_EQ(here.binding.uv, there.binding.uv);
+  EXPECT_EQ(here.binding.edge, there.binding.edge);
+  EXPECT_EQ(here.binding.edgeParam, there.binding.edgeParam);
+  EXPECT_EQ(hereReport.unit, thereReport.unit);
+  EXPECT_EQ(hereReport.bodies.size(), thereReport.bodies.size());
+  EXPECT_EQ(hereReport.edges, thereReport.edges);
+  EXPECT_EQ(hereContext.diagnostics().items().size(), thereContext.diagnostics().items().size());
+  const BrepEvaluator a(*here.brep);
+  const BrepEvaluator b(*there.brep);
+  for (int f = 0; f < here.brep->faceCount(); ++f) {
+    const auto& bounds = here.brep->face(f).uvBounds;
+    EXPECT_EQ(here.brep->face(f).name, there.brep->face(f).name);
+    EXPECT_EQ(here.brep->face(f).reversed, there.brep->face(f).reversed);
+    EXPECT_EQ(bounds, there.brep->face(f).uvBounds);
+    const Vec2 uv(0.3 * bounds[0] + 0.7 * bounds[1], 0.6 * bounds[2] + 0.4 * bounds[3]);
+    EXPECT_NEAR((a.surface(f, uv).p - b.surface(f, uv).p).norm(), 0.0, 1e-12);
+    EXPECT_NEAR((a.normal(f, uv) - b.normal(f, uv)).norm(), 0.0, 1e-12);
+  }
+  for (int e = 0; e < here.brep->edgeCount(); ++e) {
+    const double t = here.brep->edge(e).range[0];
+    EXPECT_EQ(here.brep->edge(e).faceCount, there.brep->edge(e).faceCount);
+    EXPECT_NEAR((a.curve(e, t).p - b.curve(e, t).p).norm(), 0.0, 1e-12);
+  }
 }
 
 TEST(CadImport, CancelStopsTheImport) {

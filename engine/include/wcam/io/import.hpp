@@ -95,9 +95,11 @@ struct ImportedPart {
 ///
 /// Findings (codes import.*): units_guessed, welded, degenerate_dropped, flat_triangles,
 /// duplicate_dropped, reoriented, open_surface, non_manifold, no_solid, sewn, face_not_meshed,
-/// trailing_bytes, reader_message.
+/// damaged_entities, trailing_bytes, end_missing, reader_message.
 ///
-/// Safe to call from several threads; CAD files are read one after the other.
+/// CAD files are read in a process of their own (wcam-cad-worker beside the engine library), so
+/// that a damaged file cannot harm this one and a cancel is answered at once. Safe to call from
+/// several threads.
 /// @throws Error(InputNotFound) for a missing file; Error(InputInvalid) naming the file and the
 ///   place for one that cannot be understood or used; Error(InvalidArgument) for a placement that
 ///   is not rigid; CancelledError
