@@ -18,6 +18,11 @@ struct PartCase {
   const char* file;
 };
 
+// Names of tests must not hold addresses.
+void PrintTo(const PartCase& part, std::ostream* out) {
+  *out << part.file;
+}
+
 class BadPart : public CamcliTest, public ::testing::WithParamInterface<PartCase> {
 protected:
   std::string refusedWith(const std::string& bytes) const {

@@ -183,6 +183,11 @@ struct Usage {
   const char* says;
 };
 
+// Names of tests must not hold addresses.
+void PrintTo(const Usage& usage, std::ostream* out) {
+  *out << usage.says;
+}
+
 class WrongUsage : public CamcliTest, public ::testing::WithParamInterface<Usage> {};
 
 TEST_P(WrongUsage, IsToldWithTheHelpToLookAt) {
