@@ -167,7 +167,8 @@ public:
   [[nodiscard]] CurvePoint evaluate(double t) const override {
     const std::lock_guard lock(mutex_);
     // Sixth-order differences: the step balances truncation (h^6) against rounding (eps/h, eps/h²).
-    const double h = (end_ - begin_) * 2e-3;
+    constexpr double kStepOfRange = 2e-3;
+    const double h = (end_ - begin_) * kStepOfRange;
     const Vec3 p = value(t);
     const Vec3 a1 = value(t + h), b1 = value(t - h), a2 = value(t + 2 * h), b2 = value(t - 2 * h),
                a3 = value(t + 3 * h), b3 = value(t - 3 * h);
@@ -343,10 +344,14 @@ std::vector<double> chordSteps(const GuideCurve& curve, double step, double from
   WCAM_ASSERT(step > 0.0);
   std::vector<double> parameters{from};
   const double range = curve.end() - curve.begin();
-  // A scan step that no chord of `step` can jump over, then bisection.
-  const double scan =
-      range *
-      std::min(1e-2, 0.1 * step / std::max(arcLength(curve, curve.begin(), curve.end()), 1e-12));
+  // A scan step that no chord of `step` can jump over, then bisection down to rounding.
+  constexpr double kScanOfRange = 1e-2;
+  constexpr double kScanOfStep = 0.1;
+  constexpr double kRounding = 1e-15;
+  constexpr int kBisections = 100;
+  const double length = arcLength(curve, curve.begin(), curve.end());
+  const double scan = length > 0.0 ? range * std::min(kScanOfRange, kScanOfStep * step / length)
+                                   : range * kScanOfRange;
   while (true) {
     const double start = parameters.back();
     const Vec3 origin = curve.evaluate(start).p;
@@ -364,7 +369,7 @@ std::vector<double> chordSteps(const GuideCurve& curve, double step, double from
     if (!found) {
       return parameters;
     }
-    for (int i = 0; i < 100 && high - low > 1e-15 * range; ++i) {
+    for (int i = 0; i < kBisections && high - low > kRounding * range; ++i) {
       const double middle = 0.5 * (low + high);
       ((curve.evaluate(middle).p - origin).norm() >= step ? high : low) = middle;
     }

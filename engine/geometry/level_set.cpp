@@ -93,10 +93,12 @@ private:
     const double step = levels_.size() > 1
                             ? (levels_.back() - first) / static_cast<double>(levels_.size() - 1)
                             : 1.0;
+    // Off by less, the guessed index is off by one at most.
+    constexpr double kUniform = 1e-6;
     bool uniform = true;
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-      uniform =
-          uniform && std::abs(levels_[i] - (first + step * static_cast<double>(i))) < 1e-6 * step;
+      uniform = uniform &&
+                std::abs(levels_[i] - (first + step * static_cast<double>(i))) < kUniform * step;
     }
     parallelForChunks(n, kVertexGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {

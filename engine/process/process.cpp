@@ -123,18 +123,26 @@ double wallSection(double height, double width) noexcept {
          2.0 * r * r * std::asin(std::min(1.0, h / (2.0 * r)));
 }
 
+namespace {
+
+/// Keeps quotients finite; far below any section (mm²) or speed (mm/s) of a process.
+constexpr double kVanishing = 1e-12;
+
+}  // namespace
+
 double travelSpeed(double height, const ProcessParams& params) noexcept {
   // The section of a vanishing height is 0: the speed window bounds what follows.
-  const double section = std::max(wallSection(height, params.beadWidth.value()), 1e-12);
+  const double section = std::max(wallSection(height, params.beadWidth.value()), kVanishing);
   return feedRate(params) / section;
 }
 
 double depositedHeight(double speed, const ProcessParams& params) noexcept {
   const double width = params.beadWidth.value();
-  const double section = feedRate(params) / std::max(speed, 1e-12);
+  const double section = feedRate(params) / std::max(speed, kVanishing);
   double low = 0.0;
   double high = width;
-  for (int i = 0; i < 100; ++i) {
+  constexpr int kBisections = 100;  // down to rounding
+  for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (low + high);
     (wallSection(middle, width) < section ? low : high) = middle;
   }

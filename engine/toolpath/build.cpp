@@ -124,6 +124,11 @@ const Schema<PathParams>& PathParams::schema() {
 
 namespace {
 
+/// Below this a sum or product of unit vectors has no direction that rounding leaves alone.
+constexpr double kNoDirection = 1e-9;
+/// A point nearer to the substrate than this part of the layer height lies on it.
+constexpr double kOnSubstrate = 1e-6;
+
 /// Unit tangent at the middle of three points: exact on circles (each chord weighted by the other's
 /// length).
 Vec3 tangentAt(const Vec3& before, const Vec3& p, const Vec3& after) {
@@ -139,14 +144,14 @@ Vec3 tangentAt(const Vec3& before, const Vec3& p, const Vec3& after) {
     t += d2 / l2 * l1;
   }
   // A point where the path turns back on itself has no mean direction: keep the one that leaves.
-  return t.norm() > 1e-9 * (l1 + l2) ? Vec3(t.normalized())
-                                     : Vec3((l2 > 0.0 ? d2 : d1).normalized());
+  return t.norm() > kNoDirection * (l1 + l2) ? Vec3(t.normalized())
+                                             : Vec3((l2 > 0.0 ? d2 : d1).normalized());
 }
 
 /// Right-handed (t, n, b) with t kept and n as near to the surface normal as it can be.
 void setFrame(PathPoint& point, const Vec3& t, const Vec3& surfaceNormal, const Vec3& fallbackUp) {
   Vec3 b = t.cross(surfaceNormal);
-  if (b.norm() < 1e-9) {
+  if (b.norm() < kNoDirection) {
     b = fallbackUp - fallbackUp.dot(t) * t;
   }
   point.t = t;
@@ -161,7 +166,7 @@ void setAxis(PathPoint& point, const Vec3& up, const PathParams& params) {
     return;
   }
   Vec3 t = point.t - point.t.dot(up) * up;
-  t = t.norm() > 1e-9 ? Vec3(t.normalized()) : up.unitOrthogonal();
+  t = t.norm() > kNoDirection ? Vec3(t.normalized()) : up.unitOrthogonal();
   point.axis = tiltedAxis(t, up.cross(t), up, params.lead, params.lateralTilt);
 }
 
@@ -214,7 +219,7 @@ void setDistances(Layer& layer,
           ? layerDistance(points, below->contours)
           : std::vector<double>(points.size(), std::numeric_limits<double>::infinity());
   // A layer on the substrate itself has no height of its own: the wanted one holds.
-  const double onSubstrate = 1e-6 * sliced.nominalHeight;
+  const double onSubstrate = kOnSubstrate * sliced.nominalHeight;
   std::size_t i = 0;
   for (Bead& bead : layer.beads) {
     for (PathPoint& point : bead.points) {
