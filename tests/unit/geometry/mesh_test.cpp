@@ -22,14 +22,17 @@ std::uint32_t endOf(const TriangleMesh& mesh, std::uint32_t h) {
   return mesh.triangles[h / 3][(h + 1) % 3];
 }
 
+Edge sorted(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
 /// Compares with edges found by a map, and walks the border loops.
 void expectConsistent(const TriangleMesh& mesh) {
   const HalfEdges halfEdges(mesh);
   std::map<Edge, std::vector<std::uint32_t>> users;
   const auto count = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   for (std::uint32_t h = 0; h < count; ++h) {
-    const auto [low, high] = std::minmax(startOf(mesh, h), endOf(mesh, h));
-    users[{low, high}].push_back(h);
+    users[sorted(startOf(mesh, h), endOf(mesh, h))].push_back(h);
   }
   ASSERT_EQ(halfEdges.edgeCount(), users.size());
   std::uint32_t edge = 0;
@@ -57,8 +60,7 @@ void expectConsistent(const TriangleMesh& mesh) {
   for (const auto& loop : halfEdges.borderLoops(mesh)) {
     onLoops += loop.size();
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const auto [low, high] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
-      EXPECT_TRUE(users.count({low, high}) == 1);
+      EXPECT_EQ(users.count(sorted(loop[i], loop[(i + 1) % loop.size()])), 1U);
     }
   }
   EXPECT_EQ(onLoops, withoutTwin);
