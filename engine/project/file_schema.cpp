@@ -314,15 +314,6 @@ const NodeType* nodeTypeOfList(std::string_view list) noexcept {
   return nullptr;
 }
 
-const NodeType* nodeTypeOfNoun(std::string_view noun) noexcept {
-  for (const NodeType& type : nodeTypes()) {
-    if (type.noun == noun) {
-      return &type;
-    }
-  }
-  return nullptr;
-}
-
 const std::vector<std::string>& topLevelKeys() {
   static const std::vector<std::string> kKeys = [] {
     std::vector<std::string> keys = {"format", "format_version", "name", "cell"};

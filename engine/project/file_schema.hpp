@@ -54,7 +54,6 @@ struct NodeType {
 /// arguments of the commands.
 const std::vector<NodeType>& nodeTypes();
 const NodeType* nodeTypeOfList(std::string_view list) noexcept;
-const NodeType* nodeTypeOfNoun(std::string_view noun) noexcept;
 /// Top-level keys in canonical order.
 const std::vector<std::string>& topLevelKeys();
 
