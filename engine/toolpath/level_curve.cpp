@@ -225,6 +225,11 @@ Vec2 LevelCurve::cornerUv(std::uint32_t triangle, std::uint32_t halfEdge, double
   return (uv[0] + uv[1] + uv[2]) / 3.0;
 }
 
+bool LevelCurve::hasEdge(std::uint32_t triangle, std::uint32_t halfEdge) const {
+  const std::uint32_t twin = part_->halfEdges.twin(halfEdge);
+  return halfEdge / 3 == triangle || (twin != geometry::HalfEdges::kNone && twin / 3 == triangle);
+}
+
 void LevelCurve::addSegment(const LevelContour& contour,
                             const std::vector<Node>& nodes,
                             std::size_t from,
@@ -237,7 +242,8 @@ void LevelCurve::addSegment(const LevelContour& contour,
     const std::int32_t face = part_->binding.face[segment.triangle];
     const auto place = [&](std::size_t index, Vec2& uv, Vec3& n) {
       const Node& node = nodes[index];
-      if (node.face == face) {
+      // A vertex of a seam has other parameters in the triangles beyond the seam.
+      if (node.face == face && hasEdge(segment.triangle, contour.halfEdges[index])) {
         uv = node.uv;
         n = node.point.n;
         return;

@@ -85,6 +85,7 @@ private:
   [[nodiscard]] geometry::Vec2 cornerUv(std::uint32_t triangle,
                                         std::uint32_t halfEdge,
                                         double fraction) const;
+  [[nodiscard]] bool hasEdge(std::uint32_t triangle, std::uint32_t halfEdge) const;
   void addSegment(const geometry::LevelContour& contour,
                   const std::vector<Node>& nodes,
                   std::size_t from,

@@ -204,6 +204,36 @@ TEST(SpherePlanar, InterLayerDistancesOfChalvinAt04) {
   EXPECT_NEAR(layerDistance({p}, sliced.layers[8].contours)[0], expected[8], 0.001);
 }
 
+TEST(Slicing, CirclesAreWholeAtAnyTessellation) {
+  // Seams, borders and poles at many tessellations: every layer of the sphere is one full circle,
+  // run once.
+  for (const double angle : {4.0, 7.0, 11.0, 15.0, 20.0, 30.0, 45.0}) {
+    SCOPED_TRACE("angular tolerance " + std::to_string(angle));
+    io::ImportOptions options;
+    options.chordTolerance = Length(0.5);
+    options.angularTolerance = Angle(degToRad(angle));
+    const auto part =
+        io::importPart(std::string(WCAM_RESOURCES) + "/projects/hemisphere/hemisphere.step",
+                       options, geometry::Pose::Identity(), JobContext())
+            .surface;
+    plugin::SliceInput input{{part}, test::plate(), nullptr, {0.001, 5.0}};
+    const SlicedLayers sliced =
+        test::slice("wcam.slicing.planar", input, R"({"step": 1.5, "first_layer": 0.0})");
+    ASSERT_EQ(sliced.layers.size(), 30U);
+    for (const SlicedLayer& layer : sliced.layers) {
+      ASSERT_EQ(layer.contours.size(), 1U);
+      const std::vector<Vec3> points = pointsOf(layer);
+      double length = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        length += (points[(i + 1) % points.size()] - points[i]).norm();
+        EXPECT_NEAR(points[i].norm(), 45.0, 1e-9);
+      }
+      const double radius = std::sqrt(45.0 * 45.0 - layer.level * layer.level);
+      EXPECT_NEAR(length, 2.0 * kPi * radius, 0.01 * radius) << "level " << layer.level;
+    }
+  }
+}
+
 TEST(Slicing, OutputDoesNotDependOnThreads) {
   std::vector<SlicedLayers> results;
   for (const int threads : {1, 2, 8}) {

@@ -24,7 +24,7 @@ enum class FileUnit { Auto, Millimetre, Centimetre, Metre, Inch };
 /// How a part is read. Every field is part of the content hash.
 struct ImportOptions {
   Length chordTolerance{0.05};  ///< CAD: triangles to exact surface, met within a factor of 2
-  Angle angularTolerance{degToRad(5.0)};  ///< CAD: between the normals of neighbouring points
+  Angle angularTolerance{degToRad(15.0)};  ///< CAD: between the normals of neighbouring points
   FileUnit unit = FileUnit::Auto;
   /// Gap that is closed between borders (mesh) or faces without common edges (CAD); 0 chooses one
   /// from the precision of the file's numbers.
