@@ -174,5 +174,19 @@ INSTANTIATE_TEST_SUITE_P(Examples,
                                            Case{"hemisphere", "hemisphere", ""},
                                            Case{"supportless", "supportless", ""}));
 
+/// The robot carries the part under a fixed torch: joint values only.
+class PartCarriedRoundTrip : public RoundTrip {};
+
+TEST_P(PartCarriedRoundTrip, FanucJointMode) {
+  ASSERT_TRUE(result_.cell->partCarried());
+  expectJointsReturnThePlan(test::readLs(files("wcam.post.fanuc", R"({"mode": "joint"})")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Examples,
+    PartCarriedRoundTrip,
+    ::testing::Values(Case{"elbow", "planar", "fanuc_arcmate120ic_part_carried"},
+                      Case{"elbow", "guide", "fanuc_arcmate120ic_part_carried"}));
+
 }  // namespace
 }  // namespace wcam
