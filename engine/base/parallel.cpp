@@ -12,15 +12,7 @@
 #include <thread>
 #include <vector>
 
-// GCC defines a macro, clang has a feature.
-#if defined(__SANITIZE_THREAD__)
-#define WCAM_THREAD_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define WCAM_THREAD_SANITIZER
-#endif
-#endif
-#if defined(WCAM_THREAD_SANITIZER)
+#ifdef WCAM_SANITIZED_THREADS
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -28,7 +20,7 @@ namespace wcam {
 
 namespace {
 
-#if defined(WCAM_THREAD_SANITIZER)
+#ifdef WCAM_SANITIZED_THREADS
 void release(char& place) {
   __tsan_release(&place);
 }

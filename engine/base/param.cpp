@@ -16,6 +16,7 @@ namespace {
 
 std::vector<std::string> keysOf(const std::vector<ParamDef>& defs) {
   std::vector<std::string> keys;
+  keys.reserve(defs.size());
   for (const ParamDef& def : defs) {
     keys.push_back(def.info.key);
   }
@@ -385,6 +386,7 @@ void throwProblems(const std::vector<ParamProblem>& problems,
     return;
   }
   std::vector<std::string> lines;
+  lines.reserve(problems.size());
   for (const ParamProblem& problem : problems) {
     lines.push_back(problem.path + ": " + problem.message);
   }

@@ -11,6 +11,7 @@
 #include "arm_kernel.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 // One clone per instruction set, chosen at load time. Sanitizers do not stand the resolvers.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
@@ -62,7 +63,7 @@ WCAM_INLINE void toWrist(const ArmConstants& k, const LanePoses& poses, Lanes& o
     }
     // flange · wrist, then base · that
     double world[12];
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const double f0 = flange[3 * i];
       const double f1 = flange[3 * i + 1];
       const double f2 = flange[3 * i + 2];
@@ -71,7 +72,7 @@ WCAM_INLINE void toWrist(const ArmConstants& k, const LanePoses& poses, Lanes& o
       }
       world[9 + i] = f0 * k.wrist[9] + f1 * k.wrist[10] + f2 * k.wrist[11] + poses.position[i][n];
     }
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const double* b = k.base + 3 * i;
       for (int j = 0; j < 3; ++j) {
         out.r[3 * i + j][n] = b[0] * world[j] + b[1] * world[3 + j] + b[2] * world[6 + j];
@@ -213,10 +214,13 @@ WCAM_INLINE void toValues(const ArmConstants& k,
 WCAM_VECTOR_CLONES void solveLanes(const ArmConstants& k,
                                    const LanePoses& poses,
                                    const LaneResults& result) {
+  // Every lane is written before it is read: a first value would only cost time.
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
   Lanes lanes;
-  toWrist(k, poses, lanes);
   Shoulder shoulder;
   Angles6 angles;
+  // NOLINTEND(cppcoreguidelines-pro-type-member-init)
+  toWrist(k, poses, lanes);
   for (int back = 0; back < 2; ++back) {
     solveShoulder(k, lanes, back == 0 ? 1.0 : -1.0, shoulder, angles, result.reachable[back]);
     for (int down = 0; down < 2; ++down) {

@@ -61,7 +61,7 @@ Vec3 wristCentre(const ChainAxes& axes) {
   const auto& z = axes.directions;
   requireAngle(z[3].dot(z[4]), "axes 4 and 5 are not perpendicular");
   requireAngle(z[4].dot(z[5]), "axes 5 and 6 are not perpendicular");
-  const Vec3 centre = nearestPoint(p[3], z[3], p[4], z[4]);
+  Vec3 centre = nearestPoint(p[3], z[3], p[4], z[4]);
   requireDistance(distanceToLine(centre, p[4], z[4]),
                   "the wrist is not spherical: axes 4 and 5 do not meet");
   requireDistance(distanceToLine(centre, p[5], z[5]),

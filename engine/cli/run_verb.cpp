@@ -57,6 +57,7 @@ project::Document withSettings(project::Document document, const Session& sessio
   }
   if (!problems.empty()) {
     std::vector<std::string> lines;
+    lines.reserve(problems.size());
     for (const Error& problem : problems) {
       lines.emplace_back(problem.what());
     }

@@ -119,6 +119,9 @@ public:
   explicit Answer(const JobContext& context) : context_(context) {}
 
   void add(const char* data, std::size_t size) {
+    if (result_) {
+      return;  // nothing follows the result, which lies in the bytes so far
+    }
     bytes_.append(data, size);
     while (bytes_.size() - done_ >= kFrameHead) {
       std::uint64_t length = 0;

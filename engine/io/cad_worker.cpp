@@ -41,7 +41,7 @@ void limit(int resource, std::size_t most) {
 void limitResources(std::size_t fileSize) {
   limit(RLIMIT_CPU, kBaseSeconds + kSecondsPerMebibyte * (fileSize / kMebibyte));
   limit(RLIMIT_CORE, 0);
-#ifndef __SANITIZE_ADDRESS__  // its shadow memory is larger than any machine
+#ifndef WCAM_SANITIZED  // shadow memory is larger than any machine
   const std::size_t machine = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
                               static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   limit(RLIMIT_AS, std::min(machine, kBaseMemory + kMemoryPerByte * fileSize));

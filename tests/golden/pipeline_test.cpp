@@ -11,6 +11,9 @@
 #include "example_project.hpp"
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <vector>
+
 namespace wcam::project {
 namespace {
 
@@ -37,6 +40,25 @@ TEST(Pipeline, NothingIsComputedTwice) {
   EXPECT_EQ(operationTable(first), operationTable(again));
   EXPECT_EQ(first.findings.size(),
             again.findings.size());  // findings come back with a stored result
+}
+
+TEST(Pipeline, JobsOnSeveralThreadsShareTheCache) {
+  const Document document = test::exampleDocument("elbow");
+  const auto cache = std::make_shared<StageCache>();
+  const OperationResult part = compute(document, cache, "planar");
+  std::vector<OperationResult> results(4);
+  {
+    // The operations share the part, whose faces and edges both evaluate.
+    std::vector<std::jthread> jobs;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      jobs.emplace_back(
+          [&, i] { results[i] = compute(document, cache, i % 2 == 0 ? "guide" : "planar"); });
+    }
+  }
+  const OperationResult alone = compute(document, std::make_shared<StageCache>());
+  EXPECT_EQ(operationTable(results[0]), operationTable(alone));
+  EXPECT_EQ(operationTable(results[2]), operationTable(alone));
+  EXPECT_EQ(operationTable(results[1]), operationTable(part));
 }
 
 TEST(Pipeline, ChangingTheSeamDoesNotSliceAgain) {

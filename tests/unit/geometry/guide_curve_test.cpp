@@ -4,6 +4,7 @@
 #include "wcam/geometry/guide_curve.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/parallel.hpp"
 #include "wcam/base/quantity.hpp"
 
 #include <gtest/gtest.h>
@@ -93,6 +94,18 @@ TEST(GuideCurve, SplineThroughPointsIsExactAtThemAndSmooth) {
   for (int i = 0; i <= 200; ++i) {
     const Vec3 p = guide->evaluate(guide->end() * i / 200).p;
     EXPECT_NEAR((p - Vec3(-50, 0, 0)).norm(), 50.0, 1e-4);
+  }
+}
+
+TEST(GuideCurve, ThreadsShareAFormula) {
+  const auto guide = quarterCircle();
+  const ThreadLimit limit(8);
+  std::vector<Vec3> points(2000);
+  parallelFor(points.size(), 10, [&](std::size_t i) {
+    points[i] = guide->evaluate(1e-3 * static_cast<double>(i % 1500)).p;
+  });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i], guide->evaluate(1e-3 * static_cast<double>(i % 1500)).p) << i;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "wcam/base/context.hpp"
 #include "wcam/base/file_io.hpp"
+#include "wcam/base/parallel.hpp"
 #include "wcam/plugin/abi.h"
 #include "wcam/plugin/locations.hpp"
 #include "wcam/testing/sample_program.hpp"
@@ -148,6 +149,20 @@ TEST(PluginHost, LoadsOnlyWhatIsNeeded) {
   for (const PluginReport& report : host.reports()) {
     EXPECT_EQ(report.verdict == PluginVerdict::Loaded, report.id == "org.wcam.post.kuka")
         << report.id;
+  }
+}
+
+TEST(PluginHost, ThreadsShareOneLibrary) {
+  const PluginHost host(folders({kBuiltIn}));
+  std::vector<std::shared_ptr<const PostComponent>> found(16);
+  const ThreadLimit limit(8);
+  parallelFor(found.size(), 1, [&](std::size_t i) {
+    found[i] = host.findPost(i % 2 == 0 ? "wcam.post.kuka" : "wcam.post.fanuc");
+    (void)host.reports();
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_NE(found[i], nullptr);
+    EXPECT_EQ(found[i]->plugin, i % 2 == 0 ? "org.wcam.post.kuka" : "org.wcam.post.fanuc");
   }
 }
 
