@@ -18,7 +18,7 @@ namespace {
 // Raise the version of a stage when the same input gives another result.
 constexpr int kPartVersion = 1;
 constexpr int kSubstrateVersion = 1;
-constexpr int kSliceVersion = 1;
+constexpr int kSliceVersion = 2;
 constexpr int kPathVersion = 1;
 constexpr int kProcessVersion = 1;
 constexpr int kCellVersion = 1;
@@ -314,6 +314,10 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   }
   const auto pathParams = toolpath::PathParams::schema().read(operation.path, "path");
   input.sampling = pathParams.sampling();
+  Value processParams;
+  result.process = processOf(operation, processParams);
+  input.bead = {result.process.heightMin.value(), result.process.heightMax.value(),
+                result.process.beadWidth.value()};
   const auto strategy = plugins_->findSlicing(operation.strategy);
   const Value sliceParams = strategy->info.params.complete(operation.params, "params");
   sliceKey.text(substrate.key)
@@ -322,7 +326,10 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       .text(strategy->pluginVersion);
   sliceKey.params(sliceParams)
       .text(formatReal(input.sampling.chordError))
-      .text(formatReal(input.sampling.maxSpacing));
+      .text(formatReal(input.sampling.maxSpacing))
+      .text(formatReal(input.bead.heightMin))
+      .text(formatReal(input.bead.heightMax))
+      .text(formatReal(input.bead.width));
   const auto sliced = stage<toolpath::SlicedLayers>(
       "slice", std::move(sliceKey), context.portion(0.25, 0.6, "slice"),
       [&](const JobContext& own) { return strategy->strategy->slice(input, sliceParams, own); });
@@ -337,8 +344,6 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       });
   collectFrom(path);
 
-  Value processParams;
-  result.process = processOf(operation, processParams);
   StageKey processKey("process", kProcessVersion);
   processKey.text(path.key).params(processParams);
   const auto processed = stage<toolpath::Toolpath>(

@@ -48,12 +48,12 @@ struct Metric {
 
 LevelCurve::LevelCurve(const geometry::PartSurface& part,
                        geometry::BrepEvaluator* evaluator,
-                       const LayerField& field,
+                       const LayerField* field,
                        std::size_t level,
                        double size)
     : part_(&part),
       evaluator_(evaluator),
-      field_(&field),
+      field_(field),
       level_(level),
       residualTolerance_(kResidual * std::max(1.0, size)) {}
 
@@ -72,6 +72,9 @@ ContourPoint LevelCurve::contourPoint(std::int32_t face, const FacePoint& at) co
 std::optional<LevelCurve::FacePoint> LevelCurve::newtonToLevel(std::int32_t face,
                                                                Vec2 uv,
                                                                double reach) const {
+  if (field_ == nullptr) {
+    return faceAt(face, uv);
+  }
   Vec3 start = Vec3::Zero();
   double previous = std::numeric_limits<double>::infinity();
   FacePoint best;
@@ -132,6 +135,9 @@ std::optional<Vec3> LevelCurve::solveOnEdge(std::int32_t edge,
                                             double t0,
                                             double t1,
                                             double t) const {
+  if (field_ == nullptr) {
+    return evaluator_->curve(edge, t).p;
+  }
   double f0 = field_->residual(evaluator_->curve(edge, t0).p, level_);
   const double f1 = field_->residual(evaluator_->curve(edge, t1).p, level_);
   if (!std::isfinite(f0) || !std::isfinite(f1)) {
@@ -340,7 +346,7 @@ ContourPoint LevelCurve::at(std::size_t index, double w) const {
 Vec3 LevelCurve::tangent(std::size_t index, double w) const {
   const CurveSegment& segment = segments_[index];
   const Vec3 chord = segment.b.p - segment.a.p;
-  if (evaluator_ != nullptr) {
+  if (evaluator_ != nullptr && field_ != nullptr) {
     const ContourPoint& end = w < 0.5 ? segment.a : segment.b;
     const Vec3 t = end.n.cross(field_->gradient(end.p, level_));
     if (t.norm() > 1e-9) {

@@ -25,10 +25,12 @@ struct CurveSegment {
 /// mesh contour.
 class LevelCurve {
 public:
+  /// @param field null when the field is known at the mesh vertices only: nodes are then moved onto
+  /// the surface, not onto the level
   /// @param size diagonal of the part's bounds, mm
   LevelCurve(const geometry::PartSurface& part,
              geometry::BrepEvaluator* evaluator,
-             const LayerField& field,
+             const LayerField* field,
              std::size_t level,
              double size);
 
@@ -94,7 +96,7 @@ private:
 
   const geometry::PartSurface* part_;
   geometry::BrepEvaluator* evaluator_;  ///< null for mesh parts
-  const LayerField* field_;
+  const LayerField* field_;             ///< null for a field of vertices
   std::size_t level_;
   double residualTolerance_;
   bool closed_ = false;

@@ -96,7 +96,7 @@ void traceOneLevel(const geometry::PartSurface& part,
                    double size,
                    int partIndex,
                    const std::vector<geometry::LevelContour>& contours,
-                   const LayerField& field,
+                   const LayerField* field,
                    std::size_t level,
                    double levelValue,
                    const Substrate& substrate,
@@ -152,44 +152,54 @@ void report(const LevelResult& result, int layer, const JobContext& context) {
   }
 }
 
-}  // namespace
-
-SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
-                          const LayerField& field,
-                          const std::vector<LayerLevel>& levels,
-                          const Substrate& substrate,
-                          const Sampling& sampling,
-                          const JobContext& context) {
+std::vector<double> valuesOf(const std::vector<LayerLevel>& levels) {
   std::vector<double> values;
+  values.reserve(levels.size());
   for (const LayerLevel& level : levels) {
     values.push_back(level.value);
   }
-  std::vector<LevelResult> results(levels.size());
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const double begin = static_cast<double>(k) / static_cast<double>(parts.size());
-    const JobContext portion = context.portion(
-        begin, static_cast<double>(k + 1) / static_cast<double>(parts.size()), "slicing");
-    const std::vector<double> scalar = fieldOf(*parts[k], field, portion);
-    const auto cut = withoutTears(*parts[k], field, scalar);
-    const geometry::PartSurface& part = cut ? *cut : *parts[k];
-    const double size = part.mesh.bounds().diagonal();
-    const auto curves = geometry::traceLevels(part.mesh, part.halfEdges, scalar, values,
-                                              kFieldSnap * std::max(1.0, size), portion);
-    portion.report(0.3);
-    std::atomic<std::size_t> done{0};
-    parallelForChunks(
-        levels.size(), kLevelGrain,
-        [&](std::size_t from, std::size_t to) {
-          for (std::size_t l = from; l < to; ++l) {
-            portion.check();
-            traceOneLevel(part, size, static_cast<int>(k), curves[l], field, l, levels[l].value,
-                          substrate, sampling, results[l]);
-          }
-          portion.report(0.3 + 0.7 * static_cast<double>(done += to - from) /
-                                   static_cast<double>(levels.size()));
-        },
-        portion);
-  }
+  return values;
+}
+
+/// Traces all levels on one part into `results`.
+/// @param field null when `scalar` is all that is known
+void tracePart(const geometry::PartSurface& part,
+               int partIndex,
+               const std::vector<double>& scalar,
+               double snap,
+               const LayerField* field,
+               const std::vector<LayerLevel>& levels,
+               const Substrate& substrate,
+               const Sampling& sampling,
+               std::vector<LevelResult>& results,
+               const JobContext& context) {
+  const double size = part.mesh.bounds().diagonal();
+  const auto curves =
+      geometry::traceLevels(part.mesh, part.halfEdges, scalar, valuesOf(levels), snap, context);
+  context.report(0.3);
+  std::atomic<std::size_t> done{0};
+  parallelForChunks(
+      levels.size(), kLevelGrain,
+      [&](std::size_t from, std::size_t to) {
+        for (std::size_t l = from; l < to; ++l) {
+          context.check();
+          traceOneLevel(part, size, partIndex, curves[l], field, l, levels[l].value, substrate,
+                        sampling, results[l]);
+        }
+        context.report(0.3 + 0.7 * static_cast<double>(done += to - from) /
+                                 static_cast<double>(levels.size()));
+      },
+      context);
+}
+
+JobContext partPortion(const JobContext& context, std::size_t part, std::size_t parts) {
+  return context.portion(static_cast<double>(part) / static_cast<double>(parts),
+                         static_cast<double>(part + 1) / static_cast<double>(parts), "slicing");
+}
+
+SlicedLayers assemble(std::vector<LevelResult> results,
+                      const std::vector<LayerLevel>& levels,
+                      const JobContext& context) {
   SlicedLayers sliced;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     context.diagnostics().append(results[l].findings);
@@ -213,6 +223,54 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
   }
   context.report(1.0);
   return sliced;
+}
+
+}  // namespace
+
+SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+                          const LayerField& field,
+                          const std::vector<LayerLevel>& levels,
+                          const Substrate& substrate,
+                          const Sampling& sampling,
+                          const JobContext& context) {
+  std::vector<LevelResult> results(levels.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const JobContext portion = partPortion(context, k, parts.size());
+    const std::vector<double> scalar = fieldOf(*parts[k], field, portion);
+    const auto cut = withoutTears(*parts[k], field, scalar);
+    const geometry::PartSurface& part = cut ? *cut : *parts[k];
+    const double snap = kFieldSnap * std::max(1.0, part.mesh.bounds().diagonal());
+    tracePart(part, static_cast<int>(k), scalar, snap, &field, levels, substrate, sampling, results,
+              portion);
+  }
+  return assemble(std::move(results), levels, context);
+}
+
+SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+                          const VertexField& field,
+                          const std::vector<LayerLevel>& levels,
+                          const Substrate& substrate,
+                          const Sampling& sampling,
+                          const JobContext& context) {
+  if (field.values.size() != parts.size()) {
+    throw Error(ErrorCode::InvalidArgument, "the field has values for another number of parts",
+                "slicing", "give one list of values per part");
+  }
+  std::vector<LevelResult> results(levels.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::vector<double>& scalar = field.values[k];
+    if (scalar.size() != parts[k]->mesh.vertices.size()) {
+      throw Error(ErrorCode::InvalidArgument, "the field has values for another number of vertices",
+                  "slicing", "give one value per vertex of the part's mesh");
+    }
+    double largest = 0.0;
+    for (const double value : scalar) {
+      largest = std::isnan(value) ? largest : std::max(largest, std::abs(value));
+    }
+    tracePart(*parts[k], static_cast<int>(k), scalar, kFieldSnap * largest, nullptr, levels,
+              substrate, sampling, results, partPortion(context, k, parts.size()));
+  }
+  return assemble(std::move(results), levels, context);
 }
 
 }  // namespace wcam::toolpath

@@ -22,6 +22,7 @@ struct SliceInput {
   std::shared_ptr<const toolpath::Substrate> substrate;             ///< never null
   std::shared_ptr<const geometry::GuideCurve> guide;  ///< null when the operation names none
   toolpath::Sampling sampling;
+  toolpath::BeadRange bead = {};  ///< what the operation's process can deposit
 };
 
 /// Where does layer k lie on the part? One instance serves many calls, also at the same time:

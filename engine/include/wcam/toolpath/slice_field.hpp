@@ -52,6 +52,23 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
                           const Sampling& sampling,
                           const JobContext& context);
 
+/// A field known at the vertices of the parts' meshes, linear on each triangle: distances, harmonic
+/// fields. NaN marks a vertex outside the field: its triangles carry no layer.
+struct VertexField {
+  std::vector<std::vector<double>> values;  ///< per part, per vertex
+};
+
+/// The same for a field of vertices: nodes lie where the linear field has the level and on the
+/// exact surface (its (u,v) interpolated), so that a finer mesh gives a more exact level, never a
+/// point off the surface. Levels ascend strictly.
+/// @throws Error(InvalidArgument) when the field does not fit the parts, Error(JobFailed) as above
+SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+                          const VertexField& field,
+                          const std::vector<LayerLevel>& levels,
+                          const Substrate& substrate,
+                          const Sampling& sampling,
+                          const JobContext& context);
+
 /// Number of chords on a full circle so that no sagitta exceeds the chord error: ceil(π / acos(1 −
 /// e/ρ)) (Chalvin A3); `rounded` gives the thesis' own count, whose sagitta may exceed e.
 int chordCount(double radius, double chordError, bool rounded = false);
