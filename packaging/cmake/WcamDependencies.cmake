@@ -12,6 +12,10 @@ find_library(WCAM_MINIZIP minizip REQUIRED)
 find_package(OpenCASCADE REQUIRED)
 find_package(CGAL REQUIRED)
 find_library(WCAM_MUPARSER muparser REQUIRED)
+# Clipper: its package has no CMake file. Boost.Polygon is header-only.
+find_library(WCAM_CLIPPER polyclipping REQUIRED)
+find_path(WCAM_CLIPPER_INCLUDE polyclipping/clipper.hpp REQUIRED)
+find_package(Boost 1.74 REQUIRED)
 
 # OpenCASCADE's targets carry no include directory.
 add_library(wcam_occt INTERFACE)
