@@ -36,20 +36,25 @@ void checkWindows(const ProcessParams& params) {
 struct Outside {
   std::size_t count = 0;
   double worst = 0.0;
+  double worstExcess = 0.0;
   int bead = -1;
   int point = -1;
 
-  void add(double value, double low, double high, std::size_t beadIndex, std::size_t pointIndex) {
+  /// @return true when this is the worst value so far
+  bool add(double value, double low, double high, std::size_t beadIndex, std::size_t pointIndex) {
     const double excess = std::max(low - value, value - high);
     if (excess <= 0.0) {
-      return;
+      return false;
     }
     ++count;
-    if (bead < 0 || excess > std::max(low - worst, worst - high)) {
-      worst = value;
-      bead = static_cast<int>(beadIndex);
-      point = static_cast<int>(pointIndex);
+    if (bead >= 0 && excess <= worstExcess) {
+      return false;
     }
+    worst = value;
+    worstExcess = excess;
+    bead = static_cast<int>(beadIndex);
+    point = static_cast<int>(pointIndex);
+    return true;
   }
 };
 
@@ -131,8 +136,12 @@ constexpr double kVanishing = 1e-12;
 }  // namespace
 
 double travelSpeed(double height, const ProcessParams& params) noexcept {
+  return travelSpeed(height, params.beadWidth.value(), params);
+}
+
+double travelSpeed(double height, double width, const ProcessParams& params) noexcept {
   // The section of a vanishing height is 0: the speed window bounds what follows.
-  const double section = std::max(wallSection(height, params.beadWidth.value()), kVanishing);
+  const double section = std::max(wallSection(height, width), kVanishing);
   return feedRate(params) / section;
 }
 
@@ -153,21 +162,25 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
                                 const ProcessParams& params,
                                 const JobContext& context) {
   checkWindows(params);
-  const double heightMax = std::min(params.heightMax.value(), params.beadWidth.value());
   for (std::size_t l = 0; l < path.layers.size(); ++l) {
     context.check();
     Outside speeds;
     Outside heights;
+    double worstLimit = params.heightMax.value();
     auto& beads = path.layers[l].beads;
     for (std::size_t b = 0; b < beads.size(); ++b) {
       for (std::size_t i = 0; i < beads[b].points.size(); ++i) {
         toolpath::PathPoint& point = beads[b].points[i];
-        const double wanted = travelSpeed(point.height, params);
-        point.width = params.beadWidth.value();
+        point.width = point.width > 0.0 ? point.width : params.beadWidth.value();
+        const double wanted = travelSpeed(point.height, point.width, params);
         point.wireSpeed = params.wireSpeed.value();
         point.speed = std::clamp(wanted, params.speedMin.value(), params.speedMax.value());
         speeds.add(wanted, params.speedMin.value(), params.speedMax.value(), b, i);
-        heights.add(point.height, params.heightMin.value(), heightMax, b, i);
+        // A bead is never higher than wide: its discs would no longer touch.
+        const double heightMax = std::min(params.heightMax.value(), point.width);
+        if (heights.add(point.height, params.heightMin.value(), heightMax, b, i)) {
+          worstLimit = heightMax;
+        }
       }
     }
     const auto layer = static_cast<int>(l);
@@ -180,7 +193,7 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
                formatFixed(heights.worst, 3) + " mm",
            "change the layer step or the strategy so that the distance between layers stays "
            "between " +
-               formatFixed(params.heightMin.value(), 2) + " and " + formatFixed(heightMax, 2) +
+               formatFixed(params.heightMin.value(), 2) + " and " + formatFixed(worstLimit, 2) +
                " mm",
            {{}, layer, heights.bead, heights.point},
            {{"points", static_cast<double>(heights.count)}, {"worst_height_mm", heights.worst}}});
@@ -206,7 +219,7 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
     for (const toolpath::Bead& bead : layer.beads) {
       for (std::size_t i = 0; i < bead.points.size(); ++i) {
         const toolpath::PathPoint& point = bead.points[i];
-        const double wanted = travelSpeed(point.height, params);
+        const double wanted = travelSpeed(point.height, point.width, params);
         s.clampedPoints +=
             wanted < params.speedMin.value() || wanted > params.speedMax.value() ? 1U : 0U;
         if (i > 0) {

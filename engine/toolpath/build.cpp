@@ -18,112 +18,6 @@ namespace wcam::toolpath {
 
 namespace {
 
-void addSampling(Schema<PathParams>& schema) {
-  schema
-      .add(&PathParams::chordError,
-           {.key = "chord_error",
-            .label = "Chord error",
-            .help = "Greatest distance between the path and the curve it follows.",
-            .group = "Sampling",
-            .min = 1e-5,
-            .max = 10.0})
-      .add(&PathParams::maxSpacing,
-           {.key = "max_spacing",
-            .label = "Greatest point spacing",
-            .help = "Robots leave the line between far points; 4.9 mm keeps them on it.",
-            .group = "Sampling",
-            .min = 0.01,
-            .max = 1000.0});
-}
-
-void addSeam(Schema<PathParams>& schema) {
-  schema
-      .add(&PathParams::seam, {.key = "seam",
-                               .label = "Seam",
-                               .help = "Where each closed bead starts and ends.",
-                               .group = "Seam",
-                               .choices = {{"nearest", "Nearest to the end of the bead before"},
-                                           {"aligned", "Aligned in one direction"},
-                                           {"shifted", "Shifted by a length from layer to layer"},
-                                           {"golden", "Golden ratio from layer to layer"},
-                                           {"random", "Random, from a seed"}}})
-      .add(&PathParams::seamShift,
-           {.key = "seam_shift",
-            .label = "Seam shift",
-            .help = "Length along the bead by which the start moves on in each layer.",
-            .group = "Seam",
-            .min = 0.0,
-            .max = 1e4,
-            .enabledIf = "seam=shifted"})
-      .add(&PathParams::seamDirection,
-           {.key = "seam_direction",
-            .label = "Seam direction",
-            .help = "Direction from the layer's centre, about the build direction, from x.",
-            .group = "Seam",
-            .level = ParamLevel::Advanced,
-            .min = -360.0,
-            .max = 360.0})
-      .add(&PathParams::seed, {.key = "seam_seed",
-                               .label = "Random seed",
-                               .help = "The same seed gives the same seams.",
-                               .group = "Seam",
-                               .level = ParamLevel::Advanced,
-                               .min = 0,
-                               .max = 2147483647,
-                               .enabledIf = "seam=random"});
-}
-
-void addOrder(Schema<PathParams>& schema) {
-  schema.add(&PathParams::alternate, {.key = "alternate",
-                                      .label = "Alternate direction",
-                                      .help = "Every other layer runs the other way.",
-                                      .group = "Order"});
-}
-
-void addToolAxis(Schema<PathParams>& schema) {
-  schema
-      .add(&PathParams::axis,
-           {.key = "axis",
-            .label = "Tool axis",
-            .help = "Build direction that the torch follows and the positioner turns upright.",
-            .group = "Tool axis",
-            .choices = {{"local", "Local: tangent to the wall at every point"},
-                        {"layer", "Layer: one direction for each layer"},
-                        {"global", "Global: the substrate's build direction"}}})
-      .add(&PathParams::lead,
-           {.key = "lead",
-            .label = "Lead angle",
-            .help = "Lean of the torch in the travel plane; positive leans forward.",
-            .group = "Tool axis",
-            .min = -80.0,
-            .max = 80.0})
-      .add(&PathParams::lateralTilt,
-           {.key = "lateral_tilt",
-            .label = "Lateral tilt",
-            .help = "Lean of the torch across the travel; positive leans outwards.",
-            .group = "Tool axis",
-            .min = -80.0,
-            .max = 80.0});
-}
-
-Schema<PathParams> makeSchema() {
-  Schema<PathParams> schema;
-  addSampling(schema);
-  addSeam(schema);
-  addOrder(schema);
-  addToolAxis(schema);
-  return schema;
-}
-
-}  // namespace
-
-const Schema<PathParams>& PathParams::schema() {
-  static const Schema<PathParams> schema = makeSchema();
-  return schema;
-}
-
-namespace {
-
 /// Below this a sum or product of unit vectors has no direction that rounding leaves alone.
 constexpr double kNoDirection = 1e-9;
 /// A point nearer to the substrate than this part of the layer height lies on it.
@@ -174,10 +68,12 @@ Bead makeBead(const Contour& contour,
               const SlicedLayer& layer,
               const Substrate& substrate,
               bool reversed,
+              AxisMode axis,
               const PathParams& params) {
   Bead bead;
   bead.closed = contour.closed;
   bead.part = contour.part;
+  bead.feature = contour.feature;
   const std::size_t n = contour.points.size();
   bead.points.resize(n + (contour.closed ? 1 : 0));
   for (std::size_t i = 0; i < bead.points.size(); ++i) {
@@ -191,9 +87,11 @@ Bead makeBead(const Contour& contour,
     // A reversed bead keeps its build direction: the normal then points to the other side of the
     // travel.
     setFrame(point, tangentAt(before, here.p, after), reversed ? Vec3(-here.n) : here.n, layer.up);
-    const Vec3 up = params.axis == AxisMode::Local   ? point.b
-                    : params.axis == AxisMode::Layer ? layer.up
-                                                     : substrate.up();
+    point.height = here.height;
+    point.width = here.width;
+    const Vec3 up = axis == AxisMode::Local   ? point.b
+                    : axis == AxisMode::Layer ? layer.up
+                                              : substrate.up();
     setAxis(point, up, params);
   }
   return bead;
@@ -203,30 +101,67 @@ Bead makeBead(const Contour& contour,
 /// air.
 constexpr double kUnsupported = 2.0;
 
-/// Distances of a layer's points to the layer below or to the substrate, whichever is nearer.
-void setDistances(Layer& layer,
-                  const SlicedLayer& sliced,
-                  const SlicedLayer* below,
-                  const Substrate& substrate) {
-  std::vector<Vec3> points;
-  for (const Bead& bead : layer.beads) {
-    for (const PathPoint& point : bead.points) {
-      points.push_back(point.p);
+/// Contours of the layers below a layer.
+std::vector<const Contour*> contoursBelow(const SlicedLayers& sliced, std::size_t layer) {
+  std::vector<std::size_t> below;
+  if (sliced.layers[layer].below) {
+    below = *sliced.layers[layer].below;
+  } else if (layer > 0) {
+    below = {layer - 1};
+  }
+  std::vector<const Contour*> contours;
+  for (const std::size_t l : below) {
+    if (l >= sliced.layers.size() || l == layer) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "the strategy names layer " + std::to_string(l) + " below layer " +
+                      std::to_string(layer) + " of " + std::to_string(sliced.layers.size()),
+                  "layer " + std::to_string(layer),
+                  "this is a fault of the strategy's plugin; report it to its author");
+    }
+    for (const Contour& contour : sliced.layers[l].contours) {
+      contours.push_back(&contour);
     }
   }
-  const std::vector<double> toLayer =
-      below != nullptr
-          ? layerDistance(points, below->contours)
-          : std::vector<double>(points.size(), std::numeric_limits<double>::infinity());
+  return contours;
+}
+
+std::vector<Vec3> positionsOf(const Bead& bead) {
+  std::vector<Vec3> points;
+  points.reserve(bead.points.size());
+  for (const PathPoint& point : bead.points) {
+    points.push_back(point.p);
+  }
+  return points;
+}
+
+/// Distances of a layer's points to the layers below, to the substrate or to the bead's own
+/// revolution before, whichever is nearest; and the heights that follow from them.
+void setDistances(Layer& layer,
+                  const std::vector<OrderedContour>& ordered,
+                  const SlicedLayer& sliced,
+                  const std::vector<const Contour*>& below,
+                  const Substrate& substrate) {
+  std::vector<Vec3> points;
+  std::vector<double> own;
+  for (std::size_t b = 0; b < layer.beads.size(); ++b) {
+    const std::vector<Vec3> positions = positionsOf(layer.beads[b]);
+    const std::vector<double> distances = revolutionDistance(positions, ordered[b].contour.turns);
+    points.insert(points.end(), positions.begin(), positions.end());
+    own.insert(own.end(), distances.begin(), distances.end());
+  }
+  const std::vector<double> toLayer = layerDistance(points, below);
   // A layer on the substrate itself has no height of its own: the wanted one holds.
   const double onSubstrate = kOnSubstrate * sliced.nominalHeight;
   std::size_t i = 0;
   for (Bead& bead : layer.beads) {
     for (PathPoint& point : bead.points) {
       const double above = substrate.heightAbove(point.p);
-      const double nearest = above > onSubstrate ? std::min(toLayer[i], above) : toLayer[i];
+      double nearest = std::min(toLayer[i], own[i]);
+      nearest = above > onSubstrate ? std::min(nearest, above) : nearest;
       const bool known = std::isfinite(nearest) && nearest > onSubstrate;
-      point.distance = point.height = known ? nearest : sliced.nominalHeight;
+      const double unknown = point.height > 0.0 ? point.height : sliced.nominalHeight;
+      point.distance = known ? nearest : unknown;
+      point.height = point.height > 0.0 ? point.height : point.distance;
       ++i;
     }
   }
@@ -290,6 +225,8 @@ Toolpath buildToolpath(const SlicedLayers& sliced,
                        const JobContext& context) {
   Toolpath path;
   SeamChooser seams(params, substrate);
+  const AxisMode automatic = sliced.curved ? AxisMode::Local : AxisMode::Layer;
+  const AxisMode axis = params.axis == AxisMode::Auto ? automatic : params.axis;
   for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
     context.check();
     const SlicedLayer& source = sliced.layers[l];
@@ -297,10 +234,11 @@ Toolpath buildToolpath(const SlicedLayers& sliced,
     layer.level = source.level;
     layer.up = source.up;
     const bool reversed = params.alternate && l % 2 == 1;
-    for (const OrderedContour& ordered : seams.arrange(source, l, reversed)) {
-      layer.beads.push_back(makeBead(ordered.contour, source, substrate, ordered.reversed, params));
+    const std::vector<OrderedContour> ordered = seams.arrange(source, l, reversed);
+    for (const OrderedContour& item : ordered) {
+      layer.beads.push_back(makeBead(item.contour, source, substrate, item.reversed, axis, params));
     }
-    setDistances(layer, source, l > 0 ? &sliced.layers[l - 1] : nullptr, substrate);
+    setDistances(layer, ordered, source, contoursBelow(sliced, l), substrate);
     reportUnsupported(layer, static_cast<int>(l), source.nominalHeight, context);
     path.layers.push_back(std::move(layer));
     context.report(static_cast<double>(l + 1) / static_cast<double>(sliced.layers.size()));

@@ -108,6 +108,20 @@ std::size_t SeamChooser::seamIndex(const Contour& contour,
   return aligned;
 }
 
+namespace {
+
+int lowestGroup(const SlicedLayer& layer, const std::vector<bool>& used) {
+  int group = std::numeric_limits<int>::max();
+  for (std::size_t c = 0; c < layer.contours.size(); ++c) {
+    if (!used[c]) {
+      group = std::min(group, layer.contours[c].group);
+    }
+  }
+  return group;
+}
+
+}  // namespace
+
 std::vector<OrderedContour> SeamChooser::arrange(const SlicedLayer& layer,
                                                  std::size_t layerIndex,
                                                  bool reversed) {
@@ -117,16 +131,18 @@ std::vector<OrderedContour> SeamChooser::arrange(const SlicedLayer& layer,
     // The contour whose nearest point (its ends, when open) is closest to where the torch is.
     std::size_t next = 0;
     double best = std::numeric_limits<double>::infinity();
+    const int group = lowestGroup(layer, used);
     for (std::size_t c = 0; c < layer.contours.size(); ++c) {
-      if (used[c]) {
+      const Contour& contour = layer.contours[c];
+      if (used[c] || contour.group != group) {
         continue;
       }
-      const Contour& contour = layer.contours[c];
       double distance = lastEnd_ ? 0.0 : static_cast<double>(c);
       if (lastEnd_ && contour.closed) {
         distance = (contour.points[nearestIndex(contour, *lastEnd_)].p - *lastEnd_).norm();
       } else if (lastEnd_) {
-        distance = (contour.points[reversed ? contour.points.size() - 1 : 0].p - *lastEnd_).norm();
+        const bool turned = reversed && contour.turns.empty();
+        distance = (contour.points[turned ? contour.points.size() - 1 : 0].p - *lastEnd_).norm();
       }
       if (distance < best) {
         best = distance;
@@ -134,16 +150,18 @@ std::vector<OrderedContour> SeamChooser::arrange(const SlicedLayer& layer,
       }
     }
     used[next] = true;
-    OrderedContour item{layer.contours[next], reversed};
+    // A bead of several revolutions climbs: it has no other start and no other direction.
+    const bool climbs = !layer.contours[next].turns.empty();
+    OrderedContour item{layer.contours[next], reversed && !climbs};
     std::vector<ContourPoint>& points = item.contour.points;
-    if (item.contour.closed) {
+    if (item.contour.closed && !climbs) {
       const std::size_t start = seamIndex(item.contour, layerIndex, next);
       std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(start),
                   points.end());
       if (reversed) {
         std::reverse(points.begin() + 1, points.end());
       }
-    } else if (reversed) {
+    } else if (item.reversed) {
       std::reverse(points.begin(), points.end());
     }
     lastEnd_ = item.contour.closed ? points.front().p : points.back().p;

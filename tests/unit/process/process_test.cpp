@@ -66,6 +66,23 @@ TEST(ApplyProcess, DepositedVolumeIsTheWireVolume) {
   }
 }
 
+TEST(ApplyProcess, AWidthOfThePathIsKeptAndGivesTheSection) {
+  const ProcessParams params;
+  toolpath::Toolpath path = elbowPath();
+  for (toolpath::PathPoint& point : path.layers[1].beads[0].points) {
+    point.width = 7.0;
+  }
+  path = applyProcess(path, params, JobContext());
+  for (const toolpath::PathPoint& point : path.layers[1].beads[0].points) {
+    EXPECT_EQ(point.width, 7.0);
+    EXPECT_NEAR(point.speed * wallSection(point.height, 7.0), kPi / 4.0 * 1.44 * point.wireSpeed,
+                1e-9);
+  }
+  EXPECT_EQ(path.layers[2].beads[0].points[0].width, 8.0);
+  const ProcessStatistics s = processStatistics(path, params);
+  EXPECT_NEAR(s.wireVolume / s.wantedVolume, 1.0, 1e-12);
+}
+
 TEST(ApplyProcess, SpeedsAreClampedToTheWindowWithAFinding) {
   JobContext context;
   ProcessParams params;

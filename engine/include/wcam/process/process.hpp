@@ -33,6 +33,9 @@ double wallSection(double height, double width) noexcept;
 /// M26).
 double travelSpeed(double height, const ProcessParams& params) noexcept;
 
+/// The same for a bead of another width than the process's, mm/s.
+double travelSpeed(double height, double width, const ProcessParams& params) noexcept;
+
 /// Height that a travel speed deposits, the inverse of travelSpeed, mm; limited to the bead width.
 double depositedHeight(double speed, const ProcessParams& params) noexcept;
 
@@ -49,7 +52,8 @@ struct ProcessStatistics {
 ProcessStatistics processStatistics(const toolpath::Toolpath& path, const ProcessParams& params);
 
 /// Sets width, wire speed and travel speed of every point: the speed of the move that ends at a
-/// point follows its height, clamped to the speed window.
+/// point follows its height and its width, clamped to the speed window. A width that the path
+/// brings along is kept; 0 becomes the process's.
 ///
 /// Findings, one per layer with the worst value and the count: process.speed_clamped,
 /// process.height_out_of_range.

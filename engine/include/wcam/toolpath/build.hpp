@@ -22,9 +22,10 @@ enum class SeamMode {
 };
 
 enum class AxisMode {
-  Local,  ///< the build direction b of each point (tangent to the part's wall)
-  Layer,  ///< the layer's build direction (plane normal)
-  Global  ///< the substrate's build direction everywhere
+  Local,   ///< the build direction b of each point (tangent to the part's wall)
+  Layer,   ///< the layer's build direction (plane normal)
+  Global,  ///< the substrate's build direction everywhere
+  Auto     ///< Layer where layers are planes, Local where they are curved
 };
 
 /// How contours become beads. Sampling is used by the strategy, the rest afterwards: changing a
@@ -37,7 +38,7 @@ struct PathParams {
   Angle seamDirection = 0.0_deg;
   int seed = 1;
   bool alternate = false;
-  AxisMode axis = AxisMode::Layer;
+  AxisMode axis = AxisMode::Auto;
   Angle lead = 0.0_deg;
   Angle lateralTilt = 0.0_deg;
 
@@ -47,8 +48,13 @@ struct PathParams {
 };
 
 /// Orders the contours of each layer, chooses seams and directions, and gives every point its frame
-/// (t, n, b), its inter-layer distance and its tool axis. The distance is the one to the layer
-/// below or to the substrate, whichever is nearer.
+/// (t, n, b), its inter-layer distance and its tool axis. The distance is the one to the layers
+/// below or to the substrate, whichever is nearer; in a bead of several revolutions that to its own
+/// revolution before. A height or width that the strategy gave is kept; other heights are the
+/// distance.
+///
+/// Contours of a lower group come first; a bead of several revolutions keeps its start and
+/// direction.
 ///
 /// Findings: toolpath.unsupported (a bead in the air), toolpath.outside_plate.
 Toolpath buildToolpath(const SlicedLayers& sliced,

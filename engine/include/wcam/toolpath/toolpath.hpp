@@ -3,14 +3,13 @@
 #pragma once
 
 #include "wcam/geometry/types.hpp"
+#include "wcam/toolpath/slicing.hpp"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace wcam::toolpath {
-
-using geometry::Vec3;
 
 /// A point of a bead, in the part frame. (t, n, b) is right-handed: t along travel, n the outward
 /// surface normal made perpendicular to t, b = t × n the build direction.
@@ -24,8 +23,8 @@ struct PathPoint {
   Vec3 up =
       Vec3::UnitZ();       ///< axis before lead and tilt: what the positioner turns to the vertical
   double distance = 0.0;   ///< inter-layer distance δ to the layer below, mm (Chalvin A4)
-  double height = 0.0;     ///< local layer height, mm
-  double width = 0.0;      ///< bead width, mm
+  double height = 0.0;     ///< local layer height: the strategy's, else the distance, mm
+  double width = 0.0;      ///< bead width, mm; 0 before the process is applied: the process's
   double speed = 0.0;      ///< travel speed of the move that ends here, mm/s
   double wireSpeed = 0.0;  ///< wire feed speed of the move that ends here, mm/s
 };
@@ -35,6 +34,7 @@ struct Bead {
   std::vector<PathPoint> points;
   bool closed = false;
   int part = 0;  ///< index of the part in the operation
+  BeadFeature feature = BeadFeature::Wall;
   [[nodiscard]] double length() const;
 };
 
