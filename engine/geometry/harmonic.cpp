@@ -5,8 +5,8 @@
 
 #include "wcam/base/error.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/geometry/linear_elements.hpp"
 
-#include "linear_elements.hpp"
 #include <Eigen/SparseCholesky>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "linear_elements.hpp"
+#include "wcam/geometry/linear_elements.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -57,6 +57,48 @@ FlatTriangle flatten(const TriangleMesh& mesh, std::size_t triangle) {
   flat.gradients[(base + 1) % 3] = {1.0 / longest, -foot / longest / height};
   flat.gradients[(base + 2) % 3] = {0.0, 1.0 / height};
   return flat;
+}
+
+SparseMatrix stiffnessMatrix(const TriangleMesh& mesh) {
+  const auto n = static_cast<Eigen::Index>(mesh.vertices.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(9 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const FlatTriangle flat = flatten(mesh, t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        entries.emplace_back(static_cast<int>(mesh.triangles[t][i]),
+                             static_cast<int>(mesh.triangles[t][j]),
+                             flat.area * flat.gradients[i].dot(flat.gradients[j]));
+      }
+    }
+  }
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+std::vector<double> vertexAreas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.vertices.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double third = flatten(mesh, t).area / 3.0;
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      areas[v] += third;
+    }
+  }
+  return areas;
+}
+
+Eigen::VectorXd divergence(const TriangleMesh& mesh, const std::vector<Vec3>& vectors) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.vertices.size()));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const FlatTriangle flat = flatten(mesh, t);
+    const Vec2 x = flat.toPlane(vectors[t]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      result[mesh.triangles[t][c]] += flat.area * flat.gradients[c].dot(x);
+    }
+  }
+  return result;
 }
 
 std::vector<std::uint32_t> componentsOf(const TriangleMesh& mesh) {

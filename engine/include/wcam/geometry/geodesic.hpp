@@ -49,14 +49,19 @@ private:
 };
 
 /// Smooth distance by the heat method (Crane 2013; Diourté M16, Annex A): factorised once, many
-/// sources. Time step t = m·h², h the mean edge length. At borders that are no source the mean of
-/// the Neumann and the Dirichlet solution is taken.
+/// sources. Time step t = m·h², h the mean edge length; more on parts so long that the heat would
+/// fall below the least number. At borders without a source the mean of the Neumann and the
+/// Dirichlet solution is taken. distance() is const and thread-safe.
 class HeatSolver {
 public:
+  /// @throws Error(InvalidArgument) for a time factor that is not positive, Error(JobFailed) when
+  /// the mesh is too degenerate. Cost: two sparse factorisations.
   HeatSolver(const TriangleMesh& mesh, const HalfEdges& halfEdges, double timeFactor = 1.0);
   ~HeatSolver();
   HeatSolver(HeatSolver&&) noexcept;
   HeatSolver& operator=(HeatSolver&&) noexcept;
+  /// Distance of every vertex, mm, with mean zero over the sources of each component; infinity in
+  /// components without a source. @throws Error(InvalidArgument) when there is no source
   [[nodiscard]] std::vector<double> distance(
       const std::vector<std::uint32_t>& sourceVertices) const;
 
@@ -66,13 +71,18 @@ private:
 };
 
 /// Exact distances and paths on a polyhedron (Xin and Wang, by CGAL): the oracle of tests, and for
-/// single paths. Cost: seconds at 100 000 triangles.
+/// single paths. For one thread at a time. Cost: seconds at 100 000 triangles.
 class ExactGeodesics {
 public:
+  /// @throws Error(InvalidArgument) when there is no source, or for meshes with triangles without
+  /// area, non-manifold edges or vertices
   ExactGeodesics(const TriangleMesh& mesh, const std::vector<std::uint32_t>& sourceVertices);
   ~ExactGeodesics();
+  ExactGeodesics(ExactGeodesics&&) noexcept;
+  ExactGeodesics& operator=(ExactGeodesics&&) noexcept;
+  /// mm; infinity where no path leads.
   [[nodiscard]] double distance(std::uint32_t vertex) const;
-  /// Points from the vertex to the nearest source.
+  /// Points from the vertex to the nearest source; empty where no path leads.
   [[nodiscard]] std::vector<Vec3> path(std::uint32_t vertex) const;
 
 private:
