@@ -8,8 +8,8 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 
+#include "formula.hpp"
 #include <Eigen/Dense>
-#include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
@@ -128,26 +128,14 @@ private:
   std::vector<Vec3> second_;
 };
 
-/// Formulas through muParser; derivatives by central differences with Richardson extrapolation.
+/// Formulas; derivatives by central differences with Richardson extrapolation.
 class FormulaGuide : public GuideCurve {
 public:
   FormulaGuide(const std::array<std::string, 3>& xyz, double begin, double end)
       : begin_(begin), end_(end) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::string name = std::string(1, "xyz"[i]) + "(t)";
-      try {
-        parsers_[i].DefineVar("t", &t_);
-        parsers_[i].DefineConst("pi", kPi);
-        parsers_[i].SetExpr(xyz[i]);
-        parsers_[i].Eval();
-      } catch (const mu::Parser::exception_type& error) {
-        throw Error(ErrorCode::InvalidArgument,
-                    error.GetMsg() + (error.GetPos() >= 0
-                                          ? " (position " + std::to_string(error.GetPos() + 1) + ")"
-                                          : ""),
-                    "guide formula " + name + " = " + xyz[i],
-                    "use t, numbers, pi, + - * / ^ and functions like sin, sqrt, exp");
-      }
+      formulas_.emplace_back(xyz[i], std::vector<std::string>{"t"},
+                             "guide formula " + std::string(1, "xyz"[i]) + "(t)");
     }
     const int kProbes = 64;
     for (int i = 0; i <= kProbes; ++i) {
@@ -181,15 +169,13 @@ public:
 
 private:
   [[nodiscard]] Vec3 value(double t) const {
-    t_ = t;
-    return {parsers_[0].Eval(), parsers_[1].Eval(), parsers_[2].Eval()};
+    return {formulas_[0](t), formulas_[1](t), formulas_[2](t)};
   }
 
   double begin_;
   double end_;
   mutable std::mutex mutex_;
-  mutable double t_ = 0.0;
-  std::array<mu::Parser, 3> parsers_;
+  std::vector<Formula> formulas_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "brep_impl.hpp"
 #include "cad_mesh.hpp"
 #include "cad_reader.hpp"
+#include "formula_reader.hpp"
 #include "mesh_repair.hpp"
 #include "occt_session.hpp"
 #include "part_builder.hpp"
@@ -378,8 +379,11 @@ geometry::PartSurface build(std::string_view bytes,
                             ImportReport& report,
                             const OcctSession& session,
                             const JobContext& context) {
-  CadModel model = readCadModel(job.file, bytes, cadFormat(job.format), session,
-                                context.portion(0.0, 0.6, "Reading CAD file"));
+  const JobContext reading = context.portion(0.0, 0.6, "Reading CAD file");
+  CadModel model = job.format == FileFormat::Formula
+                       ? readFormulaSurface(bytes, job.fileText, reading)
+                       : readCadModel(job.file, bytes, cadFormat(job.format), session, reading);
+  report.formulaDeviation = model.deviation;
   placeModel(model, chooseUnit(model, job, report), job.T_part_file);
   TopoDS_Shape shape = compoundOf(model);
   requireFaces(shape, job, session);

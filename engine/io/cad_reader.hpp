@@ -8,6 +8,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,7 @@ struct CadModel {
   std::vector<CadItem> named;  ///< faces and edges inside bodies that have their own name
   std::string unit;            ///< as the file writes it; empty when it does not
   double millimetresPerUnit = 1.0;
+  std::optional<double> deviation;  ///< of shapes made from formulas: largest distance, mm
 };
 
 /// @throws Error(InputInvalid), CancelledError, Standard_Failure

@@ -147,6 +147,7 @@ void transfer(Archive& archive, ImportReport& report) {
   archive(report.edges);
   archive(report.freeEdges);
   archive(report.reorientedTriangles);
+  archive(report.formulaDeviation);
 }
 
 class Saver {

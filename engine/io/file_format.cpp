@@ -24,7 +24,7 @@ struct Extension {
   FileFormat format;
 };
 
-constexpr std::array<Extension, 13> kExtensions{{{".step", FileFormat::Step},
+constexpr std::array<Extension, 14> kExtensions{{{".step", FileFormat::Step},
                                                  {".stp", FileFormat::Step},
                                                  {".p21", FileFormat::Step},
                                                  {".iges", FileFormat::Iges},
@@ -36,7 +36,8 @@ constexpr std::array<Extension, 13> kExtensions{{{".step", FileFormat::Step},
                                                  {".stl", FileFormat::Stl},
                                                  {".obj", FileFormat::Obj},
                                                  {".ply", FileFormat::Ply},
-                                                 {".3mf", FileFormat::ThreeMf}}};
+                                                 {".3mf", FileFormat::ThreeMf},
+                                                 {".wsurf", FileFormat::Formula}}};
 
 /// Signatures stand within this distance of the start, after blanks or a comment.
 constexpr std::size_t kHeadSize = 512;
@@ -82,6 +83,10 @@ std::optional<FileFormat> byContent(std::string_view bytes) {
   if (head.starts_with("DBRep_DrawableShape") || has("CASCADE Topology V")) {
     return FileFormat::BrepText;
   }
+  if (const auto first = head.find_first_not_of(" \t\r\n");
+      first != std::string_view::npos && head[first] == '{') {
+    return FileFormat::Formula;
+  }
   if (looksLikeIges(bytes)) {
     return FileFormat::Iges;
   }
@@ -115,6 +120,8 @@ const char* toString(FileFormat format) noexcept {
       return "PLY";
     case FileFormat::ThreeMf:
       return "3MF";
+    case FileFormat::Formula:
+      return "formula";
   }
   return "";
 }
@@ -127,7 +134,7 @@ FileFormat detectFormat(const std::filesystem::path& file, std::string_view byte
   }
   if (!extension) {
     throw Error(ErrorCode::InputInvalid, "the format of the file is not known", pathText(file),
-                "parts can be read from STEP, IGES, BREP, STL, OBJ, PLY and 3MF files");
+                "parts can be read from STEP, IGES, BREP, STL, OBJ, PLY, 3MF and wsurf files");
   }
   if (hasSignature(*extension)) {
     throw Error(

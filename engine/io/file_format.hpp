@@ -7,9 +7,10 @@
 
 namespace wcam::io {
 
-enum class FileFormat { Step, Iges, BrepText, BrepBinary, Stl, Obj, Ply, ThreeMf };
+enum class FileFormat { Step, Iges, BrepText, BrepBinary, Stl, Obj, Ply, ThreeMf, Formula };
 
-/// Name for messages and reports: "STEP", "IGES", "BREP", "STL", "OBJ", "PLY", "3MF".
+/// Name for messages and reports: "STEP", "IGES", "BREP", "STL", "OBJ", "PLY", "3MF",
+/// "formula".
 const char* toString(FileFormat format) noexcept;
 
 /// By content where the format has a signature, else by extension.

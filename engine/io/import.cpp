@@ -52,7 +52,8 @@ std::string contentHash(std::string_view bytes,
 
 bool isCad(FileFormat format) {
   return format == FileFormat::Step || format == FileFormat::Iges ||
-         format == FileFormat::BrepText || format == FileFormat::BrepBinary;
+         format == FileFormat::BrepText || format == FileFormat::BrepBinary ||
+         format == FileFormat::Formula;
 }
 
 RawMesh readStl(std::string_view bytes, const ImportJob& job, const JobContext& context) {

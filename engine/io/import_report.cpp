@@ -199,6 +199,9 @@ Value ImportReport::toValue() const {
                                {"bounds_min_mm", vector(bounds.min)},
                                {"bounds_max_mm", vector(bounds.max)},
                                {"area_mm2", area}});
+  if (formulaDeviation) {
+    value.set("formula_deviation_mm", *formulaDeviation);
+  }
   if (volume) {
     value.set("volume_mm3", *volume);
   }

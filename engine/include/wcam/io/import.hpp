@@ -54,7 +54,7 @@ struct BorderLoop {
 /// What came in and what was done to it; lengths in mm, part frame.
 struct ImportReport {
   std::string file;
-  std::string format;      ///< "STEP", "IGES", "BREP", "STL", "OBJ", "PLY" or "3MF"
+  std::string format;      ///< "STEP", "IGES", "BREP", "STL", "OBJ", "PLY", "3MF" or "formula"
   std::string unit;        ///< "mm", "cm", "m", "in", ... as read
   std::string unitReason;  ///< why this unit
   double millimetresPerUnit = 1.0;
@@ -64,6 +64,8 @@ struct ImportReport {
   int faces = 0;      ///< CAD faces
   int edges = 0;      ///< CAD edges with a face
   int freeEdges = 0;  ///< CAD edges without a face: possible guide curves
+  /// Formula surfaces: largest measured distance of the exact surface from the formulas, mm.
+  std::optional<double> formulaDeviation;
   bool closed = false;
   std::size_t components = 0;  ///< pieces that no common edge joins
   std::vector<BorderLoop> borders;
@@ -86,7 +88,8 @@ struct ImportedPart {
   ImportReport report;
 };
 
-/// Reads a part: STEP, IGES and BREP with their exact geometry; STL, OBJ, PLY and 3MF as meshes.
+/// Reads a part: STEP, IGES, BREP and formula surfaces (.wsurf) with their exact geometry; STL,
+/// OBJ, PLY and 3MF as meshes.
 ///
 /// The format is taken from the content, else from the extension. `T_part_file` places the file in
 /// the part frame; it is applied to mesh and exact geometry alike. Triangles are oriented
