@@ -4,8 +4,9 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/geometry/segment_tree.hpp"
+#include "wcam/toolpath/slice_field.hpp"
 
-#include "level_curve.hpp"
+#include "sampled_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,14 +50,18 @@ double allowedArc(double radius, const Sampling& sampling) {
 /// A run of segments between corners, with the number of samples that its curvature asks for.
 class SmoothRun {
 public:
-  SmoothRun(const LevelCurve& curve, std::size_t first, std::size_t count, const Sampling& sampling)
+  SmoothRun(const SampledCurve& curve,
+            std::size_t first,
+            std::size_t count,
+            const Sampling& sampling)
       : curve_(curve), first_(first), sampling_(sampling) {
     cumulative_.push_back(0.0);
     for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = (first + k) % curve.segments().size();
-      const CurveSegment& segment = curve.segments()[i];
-      const double chord = (segment.b.p - segment.a.p).norm();
-      const double radius = circumradius(segment.a.p, curve.at(i, 0.5).p, segment.b.p);
+      const std::size_t i = (first + k) % curve.pieces();
+      const Vec3 a = curve.at(i, 0.0).p;
+      const Vec3 b = curve.at(i, 1.0).p;
+      const double chord = (b - a).norm();
+      const double radius = circumradius(a, curve.at(i, 0.5).p, b);
       const double arc =
           chord < 2.0 * radius ? 2.0 * radius * std::asin(chord / (2.0 * radius)) : chord;
       cumulative_.push_back(cumulative_.back() +
@@ -71,7 +76,7 @@ public:
     const auto k = static_cast<std::size_t>(upper - cumulative_.begin()) - 1;
     const double width = cumulative_[k + 1] - cumulative_[k];
     const double w = width > 0.0 ? std::clamp((density - cumulative_[k]) / width, 0.0, 1.0) : 0.0;
-    return curve_.at((first_ + k) % curve_.segments().size(), w);
+    return curve_.at((first_ + k) % curve_.pieces(), w);
   }
 
   /// Appends the samples in (from, to), repaired until both bounds hold; `a` and `b` are the ends.
@@ -115,16 +120,16 @@ private:
     return true;
   }
 
-  const LevelCurve& curve_;
+  const SampledCurve& curve_;
   std::size_t first_;
   Sampling sampling_;
   std::vector<double> cumulative_;  ///< per node, in samples
 };
 
 /// Segments that begin with a corner.
-std::vector<std::size_t> cornersOf(const LevelCurve& curve, double cosine) {
+std::vector<std::size_t> cornersOf(const SampledCurve& curve, double cosine) {
   std::vector<std::size_t> corners;
-  const std::size_t n = curve.segments().size();
+  const std::size_t n = curve.pieces();
   for (std::size_t i = 0; i < n; ++i) {
     if (i == 0 && !curve.closed()) {
       continue;
@@ -136,7 +141,7 @@ std::vector<std::size_t> cornersOf(const LevelCurve& curve, double cosine) {
   return corners;
 }
 
-void appendRun(const LevelCurve& curve,
+void appendRun(const SampledCurve& curve,
                std::size_t first,
                std::size_t count,
                bool ring,
@@ -164,10 +169,12 @@ void appendRun(const LevelCurve& curve,
 
 }  // namespace
 
-std::vector<ContourPoint> sampleCurve(const LevelCurve& curve, const Sampling& sampling) {
+SampledCurve::~SampledCurve() = default;
+
+std::vector<ContourPoint> sampleCurve(const SampledCurve& curve, const Sampling& sampling) {
   WCAM_ASSERT(sampling.chordError > 0.0 && sampling.maxSpacing > 0.0);
   std::vector<ContourPoint> points;
-  const std::size_t n = curve.segments().size();
+  const std::size_t n = curve.pieces();
   if (n == 0) {
     return points;
   }
@@ -188,13 +195,13 @@ std::vector<ContourPoint> sampleCurve(const LevelCurve& curve, const Sampling& s
     appendRun(curve, starts[k], end - starts[k], false, sampling, points);
     // At a corner the normal is the mean of both sides.
     const std::size_t previous = (starts[k] + n - 1) % n;
-    const Vec3 sum = points[before].n + curve.segments()[previous].b.n;
+    const Vec3 sum = points[before].n + curve.at(previous, 1.0).n;
     if ((k > 0 || curve.closed()) && sum.norm() > 1e-6) {
       points[before].n = sum.normalized();
     }
   }
   if (!curve.closed()) {
-    points.push_back(curve.segments().back().b);
+    points.push_back(curve.at(n - 1, 1.0));
   }
   return points;
 }

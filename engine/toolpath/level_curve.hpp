@@ -8,6 +8,8 @@
 #include "wcam/geometry/part_surface.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
+#include "sampled_curve.hpp"
+
 #include <optional>
 #include <vector>
 
@@ -23,7 +25,7 @@ struct CurveSegment {
 
 /// A level curve on a part, exact where the part is: evaluates any point between the nodes of the
 /// mesh contour.
-class LevelCurve {
+class LevelCurve : public SampledCurve {
 public:
   /// @param field null when the field is known at the mesh vertices only: nodes are then moved onto
   /// the surface, not onto the level
@@ -38,17 +40,17 @@ public:
   /// @return the number of nodes that kept their mesh position
   std::size_t assign(const geometry::LevelContour& contour);
 
-  [[nodiscard]] bool closed() const noexcept { return closed_; }
+  [[nodiscard]] std::size_t pieces() const override { return segments_.size(); }
 
-  [[nodiscard]] bool exact() const noexcept { return evaluator_ != nullptr; }
+  [[nodiscard]] bool closed() const override { return closed_; }
+
+  [[nodiscard]] bool exact() const override { return evaluator_ != nullptr; }
 
   [[nodiscard]] const std::vector<CurveSegment>& segments() const noexcept { return segments_; }
 
   [[nodiscard]] double length() const;
-  /// Point at fraction w in [0,1] of a segment.
-  [[nodiscard]] ContourPoint at(std::size_t segment, double w) const;
-  /// Travel direction at the start (w = 0) or the end (w = 1) of a segment.
-  [[nodiscard]] Vec3 tangent(std::size_t segment, double w) const;
+  [[nodiscard]] ContourPoint at(std::size_t segment, double w) const override;
+  [[nodiscard]] Vec3 tangent(std::size_t segment, double w) const override;
 
   /// Splits the curve where heightAbove is negative; the cuts are exact. Empty when all of it is
   /// below.
@@ -102,9 +104,5 @@ private:
   bool closed_ = false;
   std::vector<CurveSegment> segments_;
 };
-
-/// Samples a curve so that chord error and spacing keep their bounds and corners stay points
-/// (Chalvin A3).
-std::vector<ContourPoint> sampleCurve(const LevelCurve& curve, const Sampling& sampling);
 
 }  // namespace wcam::toolpath
