@@ -7,7 +7,7 @@
 #include "wcam/toolpath/layer_distance.hpp"
 #include "wcam/toolpath/tool_axis.hpp"
 
-#include "seam.hpp"
+#include "bead_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -188,6 +188,24 @@ void reportUnsupported(const Layer& layer,
   }
 }
 
+void reportSeams(std::size_t tooClose,
+                 int layer,
+                 const PathParams& params,
+                 const JobContext& context) {
+  if (tooClose == 0) {
+    return;
+  }
+  context.add({Severity::Warning,
+               "toolpath.seam_too_close",
+               std::to_string(tooClose) + " beads have no start " +
+                   formatFixed(params.seamKeepAway.value(), 1) +
+                   " mm away from the starts of the last " + std::to_string(params.seamMemory) +
+                   " layers; the farthest point is used",
+               "lower seam_keep_away or seam_memory",
+               {{}, layer, -1, -1},
+               {{"beads", static_cast<double>(tooClose)}}});
+}
+
 /// Points of the first layer beside the plate.
 void reportOutsidePlate(const Layer& first, const Substrate& substrate, const JobContext& context) {
   if (!substrate.isPlate()) {
@@ -224,7 +242,7 @@ Toolpath buildToolpath(const SlicedLayers& sliced,
                        const PathParams& params,
                        const JobContext& context) {
   Toolpath path;
-  SeamChooser seams(params, substrate);
+  BeadOrder order(params, substrate);
   const AxisMode automatic = sliced.curved ? AxisMode::Local : AxisMode::Layer;
   const AxisMode axis = params.axis == AxisMode::Auto ? automatic : params.axis;
   for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
@@ -233,8 +251,8 @@ Toolpath buildToolpath(const SlicedLayers& sliced,
     Layer layer;
     layer.level = source.level;
     layer.up = source.up;
-    const bool reversed = params.alternate && l % 2 == 1;
-    const std::vector<OrderedContour> ordered = seams.arrange(source, l, reversed);
+    const std::vector<OrderedContour> ordered = order.arrange(source, l, sliced.asGiven);
+    reportSeams(order.seams().takeTooClose(), static_cast<int>(l), params, context);
     for (const OrderedContour& item : ordered) {
       layer.beads.push_back(makeBead(item.contour, source, substrate, item.reversed, axis, params));
     }

@@ -35,7 +35,9 @@ void addSeam(Schema<PathParams>& schema) {
                                            {"aligned", "Aligned in one direction"},
                                            {"shifted", "Shifted by a length from layer to layer"},
                                            {"golden", "Golden ratio from layer to layer"},
-                                           {"random", "Random, from a seed"}}})
+                                           {"random", "Random, from a seed"},
+                                           {"keep_away", "Away from the starts of the last layers"},
+                                           {"corner", "In a corner, best a concave one"}}})
       .add(&PathParams::seamShift,
            {.key = "seam_shift",
             .label = "Seam shift",
@@ -59,14 +61,79 @@ void addSeam(Schema<PathParams>& schema) {
                                .level = ParamLevel::Advanced,
                                .min = 0,
                                .max = 2147483647,
-                               .enabledIf = "seam=random"});
+                               .enabledIf = "seam=random"})
+      .add(&PathParams::seamKeepAway,
+           {.key = "seam_keep_away",
+            .label = "Distance of seams",
+            .help = "Least distance of a start from the starts of the last layers.",
+            .group = "Seam",
+            .min = 0.0,
+            .max = 1e4,
+            .enabledIf = "seam=keep_away"})
+      .add(&PathParams::seamMemory, {.key = "seam_memory",
+                                     .label = "Layers to keep away from",
+                                     .help = "Number of layers below whose starts count.",
+                                     .group = "Seam",
+                                     .level = ParamLevel::Advanced,
+                                     .min = 1,
+                                     .max = 1000,
+                                     .enabledIf = "seam=keep_away"})
+      .add(&PathParams::seamExact,
+           {.key = "seam_exact",
+            .label = "Exact starts",
+            .help = "Starts lie exactly where the seam asks for, between the points of the "
+                    "contour: a point is put there. Without it the nearest point of the contour "
+                    "is taken and no point is added.",
+            .group = "Seam",
+            .level = ParamLevel::Advanced});
 }
 
 void addOrder(Schema<PathParams>& schema) {
-  schema.add(&PathParams::alternate, {.key = "alternate",
-                                      .label = "Alternate direction",
-                                      .help = "Every other layer runs the other way.",
-                                      .group = "Order"});
+  schema
+      .add(&PathParams::order,
+           {.key = "order",
+            .label = "Order of islands",
+            .help = "Which bead of a layer comes next.",
+            .group = "Order",
+            .choices = {{"nearest", "Nearest to the end of the bead before"},
+                        {"given", "As the strategy lists them"},
+                        {"least_recent", "Where the layer below has cooled longest"},
+                        {"thermal", "Farthest from the heat of the beads before"}}})
+      .add(&PathParams::heatReach,
+           {.key = "heat_reach",
+            .label = "Reach of heat",
+            .help = "Distance from a bead at which its heat has fallen to 37 %.",
+            .group = "Order",
+            .level = ParamLevel::Advanced,
+            .min = 0.1,
+            .max = 1e4,
+            .enabledIf = "order=thermal"})
+      .add(&PathParams::coolLength,
+           {.key = "cool_length",
+            .label = "Cooling length",
+            .help = "Length of bead that is deposited until the heat of a bead has fallen to "
+                    "37 %: travel speed times cooling time.",
+            .group = "Order",
+            .level = ParamLevel::Advanced,
+            .min = 1.0,
+            .max = 1e7,
+            .enabledIf = "order=thermal"})
+      .add(&PathParams::reverseOpen,
+           {.key = "reverse_open",
+            .label = "Open beads either way",
+            .help = "Open beads start at the end that is nearer to the bead before.",
+            .group = "Order"})
+      .add(&PathParams::alternate, {.key = "alternate",
+                                    .label = "Alternate direction",
+                                    .help = "Every other layer runs the other way.",
+                                    .group = "Order"})
+      .add(&PathParams::alternateBy, {.key = "alternate_by",
+                                      .label = "Alternate by",
+                                      .help = "What changes the direction.",
+                                      .group = "Order",
+                                      .level = ParamLevel::Advanced,
+                                      .enabledIf = "alternate=true",
+                                      .choices = {{"layer", "Layer"}, {"bead", "Bead"}}});
 }
 
 void addToolAxis(Schema<PathParams>& schema) {

@@ -5,34 +5,51 @@
 
 #include "wcam/toolpath/build.hpp"
 
+#include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace wcam::toolpath {
 
-/// A contour that starts at its seam, in the direction in which it is deposited.
-struct OrderedContour {
-  Contour contour;
-  bool reversed = false;  ///< against the direction that the strategy gave
+/// A place on a closed contour: a part of the way from a point to the next one.
+struct RingPlace {
+  std::size_t index = 0;
+  double fraction = 0.0;  ///< 0 ≤ fraction < 1
 };
 
-/// Orders the contours of each layer (nearest next) and turns closed ones so that they start at
-/// their seam. Keeps where the last bead ended from layer to layer.
+/// Index of the point of a contour that is nearest to p; the first of equals.
+std::size_t nearestIndex(const Contour& contour, const Vec3& p);
+
+/// The contour with its start moved to a place; between two points one is put there.
+Contour startingAt(const Contour& contour, const RingPlace& place);
+
+/// Chooses where closed contours start. Knows the starts of the last layers.
 class SeamChooser {
 public:
   SeamChooser(const PathParams& params, const Substrate& substrate);
-  std::vector<OrderedContour> arrange(const SlicedLayer& layer,
-                                      std::size_t layerIndex,
-                                      bool reversed);
+
+  /// @param lastEnd where the torch is
+  RingPlace choose(const Contour& contour,
+                   std::size_t layerIndex,
+                   std::size_t contourIndex,
+                   const std::optional<Vec3>& lastEnd);
+  /// Remembers the starts of a finished layer.
+  void endLayer();
+
+  /// Starts that could not keep their distance, since the last call.
+  std::size_t takeTooClose() { return std::exchange(tooClose_, 0); }
 
 private:
-  [[nodiscard]] std::size_t seamIndex(const Contour& contour,
-                                      std::size_t layerIndex,
-                                      std::size_t contourIndex) const;
+  [[nodiscard]] RingPlace aligned(const Contour& contour) const;
+  RingPlace keptAway(const Contour& contour, const std::optional<Vec3>& lastEnd);
+  [[nodiscard]] RingPlace corner(const Contour& contour) const;
 
   PathParams params_;
   geometry::Pose T_part_substrate_;
-  std::optional<Vec3> lastEnd_;
+  std::deque<std::vector<Vec3>> remembered_;  ///< starts of the last layers
+  std::vector<Vec3> current_;
+  std::size_t tooClose_ = 0;
 };
 
 }  // namespace wcam::toolpath

@@ -13,13 +13,28 @@
 
 namespace wcam::toolpath {
 
+/// Where closed beads start. Starts lie on points of the contour (Chalvin A14, A15: the points of a
+/// layer stay the same), or exactly at the wanted place between them (PathParams::seamExact).
 enum class SeamMode {
   Nearest,      ///< start where the previous bead ended
-  Aligned,      ///< starts lie in one direction from the layer's centre
+  Aligned,      ///< starts lie in one direction from the contour's centre
   Shifted,      ///< each layer's start moves on by a length
   GoldenRatio,  ///< each layer's start moves on by 0.618 of the contour
-  Random        ///< anywhere, from a seed
+  Random,       ///< anywhere, from a seed
+  KeepAway,     ///< near the previous end, but a length away from the starts of the last layers
+  Corner        ///< sharpest concave corner, else sharpest corner, else aligned
 };
+
+/// Which contour of a layer comes next, inside a group.
+enum class OrderMode {
+  Nearest,       ///< nearest to where the last bead ended
+  AsGiven,       ///< as the strategy lists them
+  LeastRecent,   ///< above the bead of the layers below that was deposited longest ago
+  ThermalSpread  ///< where the beads deposited before have left the least heat
+};
+
+/// When "alternate" turns the direction of travel.
+enum class AlternateBy { Layer, Bead };
 
 enum class AxisMode {
   Local,   ///< the build direction b of each point (tangent to the part's wall)
@@ -37,7 +52,17 @@ struct PathParams {
   Length seamShift = 10.0_mm;
   Angle seamDirection = 0.0_deg;
   int seed = 1;
+  Length seamKeepAway = 20.0_mm;  ///< least distance to the starts of the last layers (KeepAway)
+  int seamMemory = 3;             ///< number of these layers
+  bool seamExact = false;         ///< starts between points: a point is put there
+
+  OrderMode order = OrderMode::Nearest;
+  Length heatReach = 40.0_mm;     ///< distance at which a bead's heat has fallen to 1/e
+  Length coolLength = 1000.0_mm;  ///< deposited length after which it has fallen to 1/e
+  bool reverseOpen = false;       ///< open beads start at the nearer end
   bool alternate = false;
+  AlternateBy alternateBy = AlternateBy::Layer;
+
   AxisMode axis = AxisMode::Auto;
   Angle lead = 0.0_deg;
   Angle lateralTilt = 0.0_deg;

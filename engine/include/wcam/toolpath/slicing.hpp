@@ -71,6 +71,8 @@ struct SlicedLayer {
 struct SlicedLayers {
   std::vector<SlicedLayer> layers;  ///< in the order of deposition
   bool curved = false;  ///< layers are not planes: the build direction changes along a bead
+  /// Order, starts and directions of the contours are kept: a path that was planned elsewhere.
+  bool asGiven = false;
 };
 
 }  // namespace wcam::toolpath
