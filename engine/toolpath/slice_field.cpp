@@ -124,7 +124,10 @@ void traceOneLevel(const geometry::PartSurface& part,
     result.anyBelow = result.anyBelow || kept.size() != 1 || kept[0].closed() != curve.closed();
     for (const LevelCurve& piece : kept) {
       if (piece.length() > kPointContour * size) {
-        result.contours.push_back({piece.closed(), partIndex, sampleCurve(piece, sampling)});
+        Contour& added = result.contours.emplace_back();
+        added.closed = piece.closed();
+        added.part = partIndex;
+        added.points = sampleCurve(piece, sampling);
       }
     }
   }
@@ -213,8 +216,11 @@ SlicedLayers assemble(std::vector<LevelResult> results,
       continue;
     }
     report(results[l], static_cast<int>(sliced.layers.size()), context);
-    sliced.layers.push_back(
-        {levels[l].value, levels[l].up, levels[l].nominalHeight, std::move(results[l].contours)});
+    SlicedLayer& layer = sliced.layers.emplace_back();
+    layer.level = levels[l].value;
+    layer.up = levels[l].up;
+    layer.nominalHeight = levels[l].nominalHeight;
+    layer.contours = std::move(results[l].contours);
   }
   if (sliced.layers.empty()) {
     throw Error(

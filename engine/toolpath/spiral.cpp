@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/toolpath/spiral.hpp"
+
+#include "wcam/base/text.hpp"
+#include "wcam/geometry/surface_projector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wcam::toolpath {
+
+namespace {
+
+/// Build direction of every point: b = t × n with t from the neighbours.
+std::vector<Vec3> buildDirections(const std::vector<ContourPoint>& points) {
+  std::vector<Vec3> directions(points.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 t = points[std::min(i + 1, points.size() - 1)].p - points[i > 0 ? i - 1 : 0].p;
+    const Vec3 b = t.cross(points[i].n);
+    directions[i] = b.norm() > 0.0 ? Vec3(b.normalized()) : Vec3::Zero();
+  }
+  return directions;
+}
+
+void reportHeights(const SpiralPlan& plan,
+                   const SpiralWish& wish,
+                   const std::vector<ContourPoint>& points,
+                   const std::vector<std::size_t>& turns,
+                   const JobContext& context) {
+  // Only regular revolutions of the first zone promise the range as it stands.
+  if (wish.secondHeight > 0.0 || plan.turns.size() <= plan.startTurns + plan.endTurns) {
+    return;
+  }
+  const std::size_t from = turns[plan.startTurns];
+  const std::size_t to =
+      plan.endTurns > 0 ? turns[plan.turns.size() - plan.endTurns] : points.size();
+  std::size_t outside = 0;
+  double least = wish.heightMax;
+  double greatest = wish.heightMin;
+  // The range holds along the generatrices; on b it is shorter by the cosine of their angle.
+  for (std::size_t i = from; i < to; ++i) {
+    const double h = points[i].height;
+    outside += h < wish.heightMin || h > wish.heightMax ? 1U : 0U;
+    least = std::min(least, h);
+    greatest = std::max(greatest, h);
+  }
+  if (outside > 0) {
+    context.add({Severity::Warning,
+                 "slicing.spiral_height",
+                 std::to_string(outside) + " points have a deposit height outside of " +
+                     formatFixed(wish.heightMin, 3) + " to " + formatFixed(wish.heightMax, 3) +
+                     " mm: " + formatFixed(least, 3) + " to " + formatFixed(greatest, 3) + " mm",
+                 "widen the modulation range, or choose another decomposition",
+                 {{}, 0, -1, -1},
+                 {{"points", static_cast<double>(outside)},
+                  {"height_min_mm", least},
+                  {"height_max_mm", greatest}}});
+  }
+}
+
+}  // namespace
+
+SlicedLayers spiralAlong(const geometry::PartSurface& part,
+                         const Generatrices& generatrices,
+                         const SpiralPlan& plan,
+                         const SpiralWish& wish,
+                         const JobContext& context) {
+  const std::vector<Generatrix>& curves = generatrices.curves;
+  std::vector<Vec3> wanted;
+  std::vector<Vec3> steps;
+  std::vector<std::size_t> turns;
+  for (const SpiralTurn& turn : plan.turns) {
+    turns.push_back(wanted.size());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const Vec3 p = curves[i].at(turn.position[i]);
+      wanted.push_back(p);
+      steps.push_back(p - curves[i].at(turn.position[i] - turn.step[i]));
+    }
+  }
+  if (wish.end == SpiralEnd::Mirrored) {
+    // The last revolution runs back to where it meets the border on the seam.
+    wanted.push_back(curves.front().points().back());
+    steps.push_back(Vec3::Zero());
+  }
+  const geometry::SurfaceProjector projector(part);
+  Contour contour;
+  for (const geometry::ProjectedPoint& point :
+       projector.project(wanted, context.portion(0.0, 0.9, "projection"))) {
+    contour.points.push_back({point.p, point.n});
+  }
+  const std::vector<Vec3> up = buildDirections(contour.points);
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    contour.points[i].height = steps[i].dot(up[i]);
+  }
+  if (wish.end == SpiralEnd::Mirrored && contour.points.size() > 1) {
+    contour.points.back().height = contour.points[contour.points.size() - 2].height;
+  }
+  contour.turns = turns;
+  reportHeights(plan, wish, contour.points, turns, context);
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& b : up) {
+    mean += b;
+  }
+  SlicedLayers sliced;
+  sliced.curved = true;
+  SlicedLayer layer;
+  layer.up = mean.norm() > 0.0 ? Vec3(mean.normalized()) : Vec3::UnitZ();
+  layer.nominalHeight = wish.height;
+  layer.contours.push_back(std::move(contour));
+  sliced.layers.push_back(std::move(layer));
+  double shortest = curves.front().length();
+  double longest = shortest;
+  for (const Generatrix& curve : curves) {
+    shortest = std::min(shortest, curve.length());
+    longest = std::max(longest, curve.length());
+  }
+  context.add({Severity::Information,
+               "slicing.spiral",
+               "one bead of " + std::to_string(plan.turns.size()) + " revolutions, " +
+                   formatFixed(plan.regularMin, 3) + " to " + formatFixed(plan.regularMax, 3) +
+                   " mm deposit; generatrices of " + formatFixed(shortest, 2) + " to " +
+                   formatFixed(longest, 2) + " mm",
+               "",
+               {{}, 0, 0, -1},
+               {{"revolutions", static_cast<double>(plan.turns.size())},
+                {"start_revolutions", static_cast<double>(plan.startTurns)},
+                {"end_revolutions", static_cast<double>(plan.endTurns)},
+                {"deposit_min_mm", plan.regularMin},
+                {"deposit_max_mm", plan.regularMax},
+                {"deposit_mean_mm", plan.regularMean},
+                {"shortest_mm", shortest},
+                {"longest_mm", longest},
+                {"seam_step_mm", plan.largestSeamStep},
+                {"generatrices", static_cast<double>(curves.size())},
+                {"filled", static_cast<double>(generatrices.filled)}}});
+  return sliced;
+}
+
+}  // namespace wcam::toolpath

@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/toolpath/spiral.hpp"
+
+#include "wcam/base/text.hpp"
+#include "wcam/geometry/refine.hpp"
+#include "wcam/plugin/plugin.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace wcam;
+using geometry::Vec3;
+using toolpath::Decomposition;
+using toolpath::SpiralEnd;
+using toolpath::SpiralStart;
+
+enum class Infeasible { Refuse, Report };
+
+struct Params {
+  Length step = 2.0_mm;
+  Length heightMin = 0.0_mm;
+  Length heightMax = 0.0_mm;
+  Decomposition decomposition = Decomposition::IsoValues;
+  SpiralStart start = SpiralStart::Exact;
+  int end = 0;
+  bool centred = true;
+  Infeasible infeasible = Infeasible::Refuse;
+  Length secondStep = 0.0_mm;
+  Length secondFrom = 0.0_mm;
+  int transition = 1;
+  Length endReserve = 0.0_mm;
+  int generatrices = 0;
+  Length coverage = 0.0_mm;
+  Length edge = 0.0_mm;
+
+  static const Schema<Params>& schema();
+};
+
+void addDeposit(Schema<Params>& schema) {
+  schema
+      .add(&Params::step, {.key = "step",
+                           .label = "Mean deposit",
+                           .help = "Mean height that a revolution adds.",
+                           .group = "Deposit",
+                           .min = 0.01,
+                           .max = 1000.0})
+      .add(&Params::heightMin,
+           {.key = "height_min",
+            .label = "Least deposit",
+            .help = "Lower end of the modulation range; 0 takes 90 % of the mean deposit.",
+            .group = "Deposit",
+            .min = 0.0,
+            .max = 1000.0})
+      .add(&Params::heightMax,
+           {.key = "height_max",
+            .label = "Greatest deposit",
+            .help = "Upper end of the modulation range; 0 takes 110 % of the mean deposit.",
+            .group = "Deposit",
+            .min = 0.0,
+            .max = 1000.0})
+      .add(&Params::centred,
+           {.key = "centred",
+            .label = "Centre the mean",
+            .help = "Chooses the number of revolutions that brings the mean to the wanted deposit; "
+                    "otherwise as many revolutions as the range allows (Diourté 3.14).",
+            .group = "Deposit",
+            .level = ParamLevel::Advanced})
+      .add(&Params::infeasible,
+           {.key = "infeasible",
+            .label = "When the range cannot be kept",
+            .help = "A part whose generatrices differ too much needs a wider range.",
+            .group = "Deposit",
+            .level = ParamLevel::Advanced,
+            .choices = {{"refuse", "Refuse, with the range that would do"},
+                        {"report", "Slice all the same and warn"}}});
+}
+
+void addChange(Schema<Params>& schema) {
+  schema
+      .add(&Params::secondStep,
+           {.key = "second_step",
+            .label = "Second mean deposit",
+            .help = "Deposit from a height on, reached without a step in the path (smaller, for a "
+                    "cooler end); 0 keeps one deposit.",
+            .group = "Change of deposit",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 1000.0})
+      .add(&Params::secondFrom, {.key = "second_from",
+                                 .label = "Changes at",
+                                 .help = "Length along the mean generatrix.",
+                                 .group = "Change of deposit",
+                                 .level = ParamLevel::Advanced,
+                                 .min = 0.0,
+                                 .max = 1e6})
+      .add(&Params::transition, {.key = "transition",
+                                 .label = "Revolutions of the change",
+                                 .help = "Over how many revolutions the deposit changes.",
+                                 .group = "Change of deposit",
+                                 .level = ParamLevel::Advanced,
+                                 .min = 1,
+                                 .max = 100});
+}
+
+void addEnds(Schema<Params>& schema) {
+  schema
+      .add(&Params::start,
+           {.key = "start",
+            .label = "Start",
+            .help = "How the spiral leaves the border.",
+            .group = "Start and end",
+            .choices = {{"exact", "Ramps inside the range, then no seam step at all"},
+                        {"thesis", "Ramps as the thesis plots them"},
+                        {"ramp", "One revolution that climbs from zero"},
+                        {"none", "No ramp: a step of one layer at every seam"}}})
+      .add(&Params::end,
+           {.key = "end",
+            .label = "End",
+            .help = "How the spiral meets the upper border.",
+            .group = "Start and end",
+            .choices = {{"mirrored", "Ramps as at the start"},
+                        {"literal", "Equal steps on every generatrix; the seam drifts"}}})
+      .add(&Params::endReserve,
+           {.key = "end_reserve",
+            .label = "Free length before the closure",
+            .help = "Parts that close in a point: where the bead ends; 0 takes half the deposit.",
+            .group = "Start and end",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 1e4});
+}
+
+void addDecomposition(Schema<Params>& schema) {
+  schema
+      .add(&Params::decomposition,
+           {.key = "decomposition",
+            .label = "Decomposition",
+            .help = "How the curves from border to border are found.",
+            .group = "Decomposition",
+            .choices = {{"isovalues", "Iso-values of a field: any single-branch part"},
+                        {"geodesic", "Shortest paths: least spread of lengths"},
+                        {"envelope", "Projected cylinder: no overhangs"}}})
+      .add(&Params::generatrices, {.key = "generatrices",
+                                   .label = "Points per revolution",
+                                   .help = "0 follows from chord error and spacing.",
+                                   .group = "Decomposition",
+                                   .level = ParamLevel::Expert,
+                                   .min = 0,
+                                   .max = 100000})
+      .add(&Params::coverage,
+           {.key = "coverage",
+            .label = "Coverage",
+            .help = "Greatest distance of the surface to the curves before one is added; 0 takes "
+                    "the mean deposit.",
+            .group = "Decomposition",
+            .level = ParamLevel::Expert,
+            .min = 0.0,
+            .max = 1e4,
+            .enabledIf = "decomposition=geodesic"})
+      .add(&Params::edge,
+           {.key = "edge_length",
+            .label = "Mesh edge length",
+            .help = "Fineness of the mesh that carries the field; 0 follows from the deposit.",
+            .group = "Decomposition",
+            .level = ParamLevel::Expert,
+            .min = 0.0,
+            .max = 1e4});
+}
+
+const Schema<Params>& Params::schema() {
+  static const Schema<Params> schema = [] {
+    Schema<Params> made;
+    addDeposit(made);
+    addEnds(made);
+    addChange(made);
+    addDecomposition(made);
+    return made;
+  }();
+  return schema;
+}
+
+[[noreturn]] void refuse(const std::string& message, const std::string& hint) {
+  throw Error(ErrorCode::JobFailed, message, "continuous spiral", hint);
+}
+
+/// Mean height of a loop above the substrate and its spread.
+struct LoopHeight {
+  double mean = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+LoopHeight heightOf(const std::vector<std::uint32_t>& loop,
+                    const geometry::TriangleMesh& mesh,
+                    const toolpath::Substrate& substrate) {
+  LoopHeight height{0.0, std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+  for (const std::uint32_t v : loop) {
+    const double h = substrate.heightAbove(mesh.vertices[v]);
+    height.mean += h / static_cast<double>(loop.size());
+    height.low = std::min(height.low, h);
+    height.high = std::max(height.high, h);
+  }
+  return height;
+}
+
+toolpath::WallLimits limitsOf(const geometry::PartSurface& part,
+                              const toolpath::Substrate& substrate) {
+  const auto loops = part.halfEdges.borderLoops(part.mesh);
+  if (loops.empty()) {
+    refuse("the part is a closed surface without a border",
+           "a spiral runs on a shell: select the faces of the wall without bottom and top");
+  }
+  if (loops.size() > 2) {
+    refuse("the part has " + std::to_string(loops.size()) + " borders; a spiral needs one or two",
+           "close holes, or slice branches with the strategy for branches");
+  }
+  toolpath::WallLimits limits;
+  std::size_t lower = 0;
+  if (loops.size() == 2) {
+    const LoopHeight first = heightOf(loops[0], part.mesh, substrate);
+    const LoopHeight second = heightOf(loops[1], part.mesh, substrate);
+    lower = first.mean <= second.mean ? 0 : 1;
+    limits.upper = loops[1 - lower];
+  }
+  limits.lower = loops[lower];
+  return limits;
+}
+
+toolpath::SpiralWish wishOf(const Params& params, const toolpath::WallLimits& limits) {
+  // The range that the process of the thesis guarantees (Diourté 3.2).
+  constexpr double kGuaranteed = 0.1;
+  toolpath::SpiralWish wish;
+  wish.height = params.step.value();
+  wish.heightMin =
+      params.heightMin.value() > 0.0 ? params.heightMin.value() : (1.0 - kGuaranteed) * wish.height;
+  wish.heightMax =
+      params.heightMax.value() > 0.0 ? params.heightMax.value() : (1.0 + kGuaranteed) * wish.height;
+  wish.start = params.start;
+  wish.end = limits.upper.empty() ? SpiralEnd::Point
+             : params.end == 0    ? SpiralEnd::Mirrored
+                                  : SpiralEnd::Literal;
+  wish.centred = params.centred;
+  wish.endReserve = params.endReserve.value() > 0.0 ? params.endReserve.value() : 0.5 * wish.height;
+  wish.secondHeight = params.secondStep.value();
+  wish.secondFrom = params.secondFrom.value();
+  wish.transition = params.transition;
+  return wish;
+}
+
+void reportExcess(const toolpath::Generatrices& generatrices,
+                  const toolpath::SpiralPlan& plan,
+                  const toolpath::SpiralWish& wish,
+                  const Params& params,
+                  const JobContext& context) {
+  if (!plan.excess) {
+    return;
+  }
+  std::vector<double> lengths;
+  for (const toolpath::Generatrix& curve : generatrices.curves) {
+    lengths.push_back(curve.length());
+  }
+  const toolpath::Generatrix& curve = generatrices.curves[plan.excess->generatrix];
+  const Vec3& foot = curve.points().front();
+  const double excess =
+      std::max(wish.heightMin - plan.excess->height, plan.excess->height - wish.heightMax);
+  const std::string message =
+      "the generatrix from (" + formatFixed(foot.x(), 1) + ", " + formatFixed(foot.y(), 1) + ", " +
+      formatFixed(foot.z(), 1) + "), " + formatFixed(curve.length(), 2) +
+      " mm long, needs a deposit of " + formatFixed(plan.excess->height, 3) + " mm, " +
+      formatFixed(excess, 3) + " mm outside of " + formatFixed(wish.heightMin, 3) + " to " +
+      formatFixed(wish.heightMax, 3) + " mm";
+  const std::string hint = "a range of " + toolpath::rangeThatWouldDo(lengths, wish) + " would do";
+  if (params.infeasible == Infeasible::Refuse) {
+    refuse(message, hint);
+  }
+  context.add({Severity::Warning,
+               "slicing.spiral_infeasible",
+               message,
+               hint,
+               {{}, 0, 0, -1},
+               {{"generatrix", static_cast<double>(plan.excess->generatrix)},
+                {"deposit_mm", plan.excess->height},
+                {"excess_mm", excess}}});
+}
+
+class SpiralSlicing : public plugin::SlicingStrategy {
+public:
+  [[nodiscard]] toolpath::SlicedLayers slice(const plugin::SliceInput& input,
+                                             const Value& values,
+                                             const JobContext& context) const override {
+    const Params params = Params::schema().read(values, "continuous spiral");
+    if (input.parts.size() != 1) {
+      refuse("a spiral is one bead on one part, and the operation names " +
+                 std::to_string(input.parts.size()),
+             "make one operation per part");
+    }
+    const geometry::PartSurface& part = *input.parts.front();
+    const double edge = params.edge.value() > 0.0
+                            ? params.edge.value()
+                            : geometry::fieldEdgeLength(part, params.step.value());
+    const geometry::PartSurface fine =
+        geometry::refineSurface(part, edge, context.portion(0.0, 0.3, "refinement"));
+    const toolpath::WallLimits limits = limitsOf(fine, *input.substrate);
+    const toolpath::SpiralWish wish = wishOf(params, limits);
+    toolpath::GeneratrixOptions options;
+    options.method = params.decomposition;
+    options.up = input.substrate->up();
+    options.step = wish.height;
+    options.sampling = input.sampling;
+    options.count = static_cast<std::size_t>(params.generatrices);
+    options.coverage = params.coverage.value();
+    const toolpath::Generatrices generatrices =
+        toolpath::decomposeWall(fine, limits, options, context.portion(0.3, 0.8, "generatrices"));
+    std::vector<double> lengths;
+    for (const toolpath::Generatrix& curve : generatrices.curves) {
+      lengths.push_back(curve.length());
+    }
+    const toolpath::SpiralPlan plan = toolpath::planSpiral(lengths, wish);
+    reportExcess(generatrices, plan, wish, params, context);
+    return toolpath::spiralAlong(fine, generatrices, plan, wish,
+                                 context.portion(0.8, 1.0, "spiral"));
+  }
+};
+
+void registerComponents(plugin::Registrar& registrar) {
+  registrar.addSlicing(
+      {.id = "wcam.slicing.spiral",
+       .name = "Continuous spiral",
+       .summary =
+           "One bead without interruption around a thin wall, its height modulated so that it "
+           "meets both borders.",
+       .version = 1,
+       .params = Params::schema().params()},
+      [] { return std::make_unique<SpiralSlicing>(); });
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.slicing.spiral", "0.1.0", registerComponents);
