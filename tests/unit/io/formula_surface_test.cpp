@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 /// Formula surfaces: the test parts of Chalvin (P1, P2, P3, P4, P6) from their equations.
@@ -32,6 +33,12 @@ ImportedPart importText(const std::string& text) {
   const TemporaryFolder folder;
   writeBytes(folder / "part.wsurf", text);
   return importPart(folder / "part.wsurf", {}, Pose::Identity(), JobContext());
+}
+
+/// A file with this surface; ' stands for ".
+std::string surfaceText(std::string surface) {
+  std::replace(surface.begin(), surface.end(), '\'', '"');
+  return "{\"format_version\": 1, \"surface\": {" + surface + "}}";
 }
 
 /// Calls `visit` at places all over every face of the part.
@@ -179,26 +186,18 @@ TEST(FormulaSurface, GeneralTubeHasTheNumbersOfTheThesis) {
   });
 }
 
-TEST(FormulaSurface, FrenetAndMinimalFramesGiveTheSameSurface){
-  const std::string text = R"({"format_version": 1, "surface": {"type": "tube", "guide":
-      {"x": "10*cos(t)",
-  "y" : "10*sin(t)",
-  "z" : "4*t",
-  "t" : [ 0, 5 ]
-},
-    "radius" : "2", "frame" : "F"
-}
-})";
-  const auto with = [&](const std::string& frame) {
-  std::string copy = text;
-  copy.replace(copy.find("\"F\""), 3, "\"" + frame + "\"");
-  return importText(copy);
+TEST(FormulaSurface, FrenetAndMinimalFramesGiveTheSameSurface) {
+  const auto with = [](const std::string& frame) {
+    return importText(surfaceText(
+        "'type': 'tube', 'guide': {'x': '10*cos(t)', 'y': '10*sin(t)', 'z': '4*t', 't': [0, 5]}, "
+        "'radius': '2', 'frame': '" +
+        frame + "'"));
   };
-const ImportedPart a = with("frenet");
-const ImportedPart b = with("minimal");
-EXPECT_NEAR(a.report.area, b.report.area, 2e-3 * a.report.area);
-EXPECT_LE(*a.report.formulaDeviation, 1e-6);
-EXPECT_LE(*b.report.formulaDeviation, 1e-6);
+  const ImportedPart a = with("frenet");
+  const ImportedPart b = with("minimal");
+  EXPECT_NEAR(a.report.area, b.report.area, 2e-3 * a.report.area);
+  EXPECT_LE(*a.report.formulaDeviation, 1e-6);
+  EXPECT_LE(*b.report.formulaDeviation, 1e-6);
 }
 
 TEST(FormulaSurface, APlacementMovesItAndFlipTurnsItOver) {
@@ -208,23 +207,24 @@ TEST(FormulaSurface, APlacementMovesItAndFlipTurnsItOver) {
   sampleFaces(*part.surface, [](const geometry::SurfacePoint& s, const Vec3&) {
     EXPECT_NEAR((s.p - Vec3(1, 2, 3)).norm(), 45.0, 1e-6);
   });
-  const ImportedPart inner = importText(
-      R"({"format_version": 1, "surface": {"type": "revolution", "radius": 5, "z": [0, 9], "flip": true}})");
+  const ImportedPart inner =
+      importText(surfaceText("'type': 'revolution', 'radius': 5, 'z': [0, 9], 'flip': true"));
   sampleFaces(*inner.surface, [](const geometry::SurfacePoint& s, const Vec3& n) {
     EXPECT_LT(n.dot(Vec3(s.p.x(), s.p.y(), 0.0)), 0.0);
   });
 }
 
 struct BadFile {
-  const char* text;
+  const char* text;  ///< the whole file, or only its surface when it begins with '
   const char* message;
 };
 
 class BadFormulaFile : public testing::TestWithParam<BadFile> {};
 
 TEST_P(BadFormulaFile, IsRefusedNamingThePlace) {
+  const std::string given = GetParam().text;
   try {
-    static_cast<void>(importText(GetParam().text));
+    static_cast<void>(importText(given.front() == '\'' ? surfaceText(given) : given));
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::InputInvalid);
@@ -240,72 +240,38 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"{}", "lacks \"format_version\""},
         BadFile{"{\"format_version\": 2, \"surface\": {}}", "format_version other than 1"},
         BadFile{"[1]", "does not start like one"},
-        BadFile{"{\"format_version\": 1, \"surface\": {\"type\": \"ball\"}}", "type of the surface"},
         BadFile{"{\"format_version\": 1, \"surface\": 3}", "type of the surface"},
-        BadFile{R"({"format_version": 1, "surface": {"type": "revolution", "radius": "5+", "z": [0, 1]}})",
-                "surface.radius = 5+"},
-        BadFile{
-  R"({"format_version": 1, "surface": {"type": "revolution", "radius": "foo(z)", "z" : [ 0, 1 ]}
-})",
-                "position 1"
-}
-,
-    BadFile{
-        R"({"format_version": 1, "surface": {"type": "revolution", "radius": "5", "z": [1, 0]}})",
-        "ascending range"},
-    BadFile{
-        R"({"format_version": 1, "surface": {"type": "revolution", "radius": "5", "z": [0, 1], "k": 1}})",
-        "unknown key \"k\""},
-    BadFile{
-        R"({"format_version": 1, "surface": {"type": "revolution", "radius": "z-2", "z": [0, 4]}})",
-        "the radius is -2.000000 at z = 0.000000"},
-    BadFile{R"({"format_version": 1, "surface": {"type": "revolution", "radius": [
-                {"z": [0, 4], "radius": "3"}, {"z": [5, 6], "radius": "3"}]}})",
-            "must begin where the piece before it ends"},
-    BadFile{
-        R"({"format_version": 1, "surface": {"type": "tube", "guide": {"x": "0", "y": "t^", "z": "t",
-                "t": [0, 4]}, "radius": "1"}})",
-        "guide formula y(t) = t^"},
-    BadFile{
-        R"({"format_version": 1, "surface": {"type": "tube", "guide": {"x": "0", "y": "0", "z": "t",
-                "t": [0, 4]}, "radius": "1", "frame": "frenet"}})",
-        "straight at t"},
-BadFile{
-  R"({"format_version": 1, "surface": {"type": "tube", "guide": {"x": "5*cos(t)",
-  "y" : "5*sin(t)",
-  "z" : "0",
-  "t" : [ 0, 3 ]
-},
-    "radius" : "6"
-}
-})",
-                "the tube folds"
-}
-,
-    BadFile{
-        R"({"format_version": 1, "surface": {"type": "tube", "guide": {"x": "0", "y": "0", "z": "t",
-                "t": [0, 4]}, "radius": "t-1"}})",
-        "the radius is"},
-    BadFile{
-        R"({"format_version": 1, "surface": {"type": "parametric", "x": "1/u", "y": "v", "z": "0",
-                "u": [0, 1], "v": [0, 1]}})",
-        "no finite value at u = 0"},
-    BadFile {
-  R"({"format_version": 1, "surface": {"type": "parametric", "x": "cos(v)",
-      "y" : "sin(v)", "z" : "u", "u" : [ 0, 1 ], "v" : [ 0, 6 ], "closed_v" : true
-}
-})",
-                "not closed in v"
-}
-, BadFile {
-  R"({"format_version": 1, "surface": {"type": "parametric", "x": "abs(u)",
-      "y" : "v", "z" : "u", "u" : [ -1, 1.1 ], "v" : [ 0, 1 ]
-}
-})",
-                "cannot be met exactly"
-},
-        BadFile{R"({"format_version": 1, "surface": {"type": "parametric", "x": "1", "y": "1", "z": "1",
-                "u": [0, 1], "v": [0, 1]}})",
+        BadFile{"'type': 'ball'", "type of the surface"},
+        BadFile{"'type': 'revolution', 'radius': '5+', 'z': [0, 1]", "surface.radius = 5+"},
+        BadFile{"'type': 'revolution', 'radius': 'foo(z)', 'z': [0, 1]", "position 1"},
+        BadFile{"'type': 'revolution', 'radius': '5', 'z': [1, 0]", "ascending range"},
+        BadFile{"'type': 'revolution', 'radius': '5', 'z': [0, 1], 'k': 1", "unknown key \"k\""},
+        BadFile{"'type': 'revolution', 'radius': 'z-2', 'z': [0, 4]",
+                "the radius is -2.000000 at z = 0.000000"},
+        BadFile{"'type': 'revolution', 'radius': [{'z': [0, 4], 'radius': '3'}, "
+                "{'z': [5, 6], 'radius': '3'}]",
+                "must begin where the piece before it ends"},
+        BadFile{"'type': 'tube', 'guide': {'x': '0', 'y': 't^', 'z': 't', 't': [0, 4]}, "
+                "'radius': '1'",
+                "guide formula y(t) = t^"},
+        BadFile{"'type': 'tube', 'guide': {'x': '0', 'y': '0', 'z': 't', 't': [0, 4]}, "
+                "'radius': '1', 'frame': 'frenet'",
+                "straight at t"},
+        BadFile{"'type': 'tube', 'guide': {'x': '5*cos(t)', 'y': '5*sin(t)', 'z': '0', "
+                "'t': [0, 3]}, 'radius': '6'",
+                "the tube folds"},
+        BadFile{"'type': 'tube', 'guide': {'x': '0', 'y': '0', 'z': 't', 't': [0, 4]}, "
+                "'radius': 't-1'",
+                "the radius is"},
+        BadFile{"'type': 'parametric', 'x': '1/u', 'y': 'v', 'z': '0', 'u': [0, 1], 'v': [0, 1]",
+                "no finite value at u = 0"},
+        BadFile{"'type': 'parametric', 'x': 'cos(v)', 'y': 'sin(v)', 'z': 'u', 'u': [0, 1], "
+                "'v': [0, 6], 'closed_v': true",
+                "not closed in v"},
+        BadFile{"'type': 'parametric', 'x': 'abs(u)', 'y': 'v', 'z': 'u', 'u': [-1, 1.1], "
+                "'v': [0, 1]",
+                "cannot be met exactly"},
+        BadFile{"'type': 'parametric', 'x': '1', 'y': '1', 'z': '1', 'u': [0, 1], 'v': [0, 1]",
                 "single point"}));
 
 }  // namespace
