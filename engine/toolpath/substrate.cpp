@@ -6,11 +6,21 @@
 #include "wcam/base/error.hpp"
 #include "wcam/geometry/aabb_tree.hpp"
 
+#include <Eigen/LU>
+
+#include <mutex>
+#include <vector>
+
 namespace wcam::toolpath {
 
 struct Substrate::Query {
   geometry::AabbTree tree;
   double top = 0.0;  ///< highest point of the body along the build direction
+  /// Evaluators that no thread uses at the moment.
+  std::mutex mutex;
+  std::vector<std::unique_ptr<geometry::BrepEvaluator>> idle;
+
+  explicit Query(const geometry::TriangleMesh& mesh) : tree(mesh) {}
 };
 
 Substrate::Substrate(const Pose& T_part_substrate, const Vec3& size)
@@ -24,7 +34,7 @@ Substrate::Substrate(const Pose& T_part_substrate, const Vec3& size)
 Substrate::Substrate(const Pose& T_part_substrate,
                      std::shared_ptr<const geometry::PartSurface> body)
     : T_part_substrate_(T_part_substrate), body_(std::move(body)) {
-  auto query = std::make_shared<Query>(Query{geometry::AabbTree(body_->mesh), 0.0});
+  auto query = std::make_shared<Query>(body_->mesh);
   geometry::Box box;
   for (const Vec3& v : body_->mesh.vertices) {
     box.add(v);
@@ -35,6 +45,85 @@ Substrate::Substrate(const Pose& T_part_substrate,
 }
 
 Substrate::~Substrate() = default;
+
+namespace {
+
+/// Newton on a smooth face is quadratic from a start on the same triangle.
+constexpr int kNewtonSteps = 12;
+
+/// Place on the exact face of a triangle straight above or below p.
+Substrate::Height heightOnFace(const geometry::BrepEvaluator& evaluator,
+                               const geometry::PartSurface& body,
+                               const geometry::SurfaceHit& hit,
+                               const Vec3& p,
+                               const Vec3& up,
+                               const Substrate::Height& otherwise) {
+  const auto& triangle = body.mesh.triangles[hit.triangle];
+  const Vec3& a = body.mesh.vertices[triangle[0]];
+  Eigen::Matrix<double, 3, 2> edges;
+  edges << body.mesh.vertices[triangle[1]] - a, body.mesh.vertices[triangle[2]] - a;
+  const geometry::Vec2 w =
+      (edges.transpose() * edges).inverse() * (edges.transpose() * (hit.p - a));
+  const auto& corners = body.binding.uv[hit.triangle];
+  const std::int32_t face = body.binding.face[hit.triangle];
+  geometry::Vec2 uv =
+      corners[0] + w[0] * (corners[1] - corners[0]) + w[1] * (corners[2] - corners[0]);
+  double height = up.dot(p - hit.p);
+  constexpr double kConverged = 1e-14;
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const geometry::SurfacePoint s = evaluator.surface(face, uv);
+    const Vec3 gap = p - s.p - height * up;
+    Eigen::Matrix3d m;
+    m << s.du, s.dv, up;
+    const Vec3 step = m.fullPivLu().solve(gap);
+    if (!step.allFinite()) {
+      return otherwise;
+    }
+    uv += step.head<2>();
+    height += step[2];
+    if (gap.norm() <= kConverged * (1.0 + p.norm())) {
+      const Vec3 n = evaluator.normal(face, uv);
+      const double slope = n.dot(up);
+      return {height, slope != 0.0 ? Vec3(n / slope) : up};
+    }
+  }
+  return otherwise;
+}
+
+}  // namespace
+
+Substrate::Height Substrate::exactHeightAbove(const Vec3& p) const {
+  const double abovePlane = up().dot(p - T_part_substrate_.translation());
+  if (isPlate()) {
+    return {abovePlane, up()};
+  }
+  const double lift = std::max(0.0, query_->top - up().dot(p)) + 1.0;
+  const auto hit = query_->tree.firstHit(p + lift * up(), -up());
+  if (!hit) {
+    return {abovePlane, up()};
+  }
+  const Vec3 n = body_->mesh.normal(hit->triangle);
+  const double slope = n.dot(up());
+  const Height onMesh{up().dot(p - hit->p), slope != 0.0 ? Vec3(n / slope) : up()};
+  if (!body_->exact()) {
+    return onMesh;
+  }
+  std::unique_ptr<geometry::BrepEvaluator> evaluator;
+  {
+    const std::lock_guard lock(query_->mutex);
+    if (!query_->idle.empty()) {
+      evaluator = std::move(query_->idle.back());
+      query_->idle.pop_back();
+    }
+  }
+  if (evaluator == nullptr) {
+    evaluator = std::make_unique<geometry::BrepEvaluator>(*body_->brep);
+  }
+  const Height height = heightOnFace(*evaluator, *body_, *hit, p, up(), onMesh);
+  const std::lock_guard lock(query_->mutex);
+  query_->idle.push_back(std::move(evaluator));
+  return height;
+}
 
 double Substrate::heightAbove(const Vec3& p) const {
   const double abovePlane = up().dot(p - T_part_substrate_.translation());

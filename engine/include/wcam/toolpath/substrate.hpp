@@ -36,12 +36,27 @@ public:
   /// imported body: height above the frame's plane z = 0.
   [[nodiscard]] double heightAbove(const Vec3& p) const;
 
+  /// Height above the substrate and the gradient of that height.
+  struct Height {
+    double value = 0.0;
+    Vec3 gradient = Vec3::UnitZ();
+  };
+
+  /// The same measured on the exact surface where the substrate has one: for curves that lie on it
+  /// (Chalvin A10). Thread-safe.
+  [[nodiscard]] Height exactHeightAbove(const Vec3& p) const;
+
+  /// The imported body; null for a plate.
+  [[nodiscard]] const std::shared_ptr<const geometry::PartSurface>& body() const noexcept {
+    return body_;
+  }
+
 private:
   struct Query;
   Pose T_part_substrate_;
   Vec3 size_ = Vec3::Zero();
   std::shared_ptr<const geometry::PartSurface> body_;
-  std::shared_ptr<const Query> query_;
+  std::shared_ptr<Query> query_;
 };
 
 }  // namespace wcam::toolpath
