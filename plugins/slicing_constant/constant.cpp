@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/plugin/plugin.hpp"
+#include "wcam/toolpath/constant_distance.hpp"
+
+namespace {
+
+using namespace wcam;
+using geometry::Vec3;
+
+struct Params {
+  Length step = 2.0_mm;
+  double firstLayer = 1.0;
+  bool cut = false;
+  std::array<double, 3> cutPoint{0.0, 0.0, 0.0};
+  std::array<double, 3> cutNormal{0.0, 0.0, 1.0};
+  Length meshEdge = 0.0_mm;
+
+  static const Schema<Params>& schema() {
+    static const Schema<Params> schema =
+        Schema<Params>{}
+            .add(&Params::step,
+                 {.key = "step",
+                  .label = "Layer step",
+                  .help = "Distance of every point of a layer to the layer below (Chalvin A11).",
+                  .group = "Layers",
+                  .min = 0.01,
+                  .max = 1000.0})
+            .add(&Params::firstLayer,
+                 {.key = "first_layer",
+                  .label = "First layer, in steps",
+                  .help = "Distance of the first layer from the base; 0 puts a layer on the base.",
+                  .group = "Layers",
+                  .level = ParamLevel::Advanced,
+                  .min = 0.0,
+                  .max = 100.0})
+            .add(&Params::cut,
+                 {.key = "cut",
+                  .label = "Cut off by a plane",
+                  .help = "Layers end at a plane: for parts that were made longer than wanted so "
+                          "that their last layers are whole (Chalvin A13).",
+                  .group = "End"})
+            .add(&Params::cutPoint,
+                 {.key = "cut_point",
+                  .label = "Point of the plane",
+                  .help = "In the part frame.",
+                  .group = "End",
+                  .enabledIf = "cut=true"},
+                 ParamType::Vector3, QuantityKind::Length)
+            .add(&Params::cutNormal,
+                 {.key = "cut_normal",
+                  .label = "Normal of the plane",
+                  .help = "Points away from the material that stays; any length.",
+                  .group = "End",
+                  .enabledIf = "cut=true"})
+            .add(&Params::meshEdge,
+                 {.key = "mesh_edge",
+                  .label = "Mesh edge length",
+                  .help = "Of the mesh that carries the layers; 0 chooses it. Points are exact "
+                          "whatever it is; details smaller than it may be passed over.",
+                  .group = "Accuracy",
+                  .level = ParamLevel::Advanced,
+                  .min = 0.0,
+                  .max = 100.0});
+    return schema;
+  }
+};
+
+class ConstantSlicing : public plugin::SlicingStrategy {
+public:
+  [[nodiscard]] toolpath::SlicedLayers slice(const plugin::SliceInput& input,
+                                             const Value& values,
+                                             const JobContext& context) const override {
+    const Params params = Params::schema().read(values, "constant distance");
+    toolpath::ConstantDistanceOptions options;
+    options.step = params.step.value();
+    options.firstLayer = params.firstLayer;
+    options.meshEdge = params.meshEdge.value();
+    if (params.cut) {
+      const Vec3 normal(params.cutNormal[0], params.cutNormal[1], params.cutNormal[2]);
+      if (!(normal.norm() > 0.0)) {
+        throw Error(ErrorCode::InvalidArgument, "the normal of the cutting plane has no length",
+                    "cut_normal", "give a vector such as [0, 0, 1]");
+      }
+      options.end = {Vec3(params.cutPoint[0], params.cutPoint[1], params.cutPoint[2]),
+                     normal.normalized()};
+    }
+    return toolpath::sliceConstantDistance(input.parts, *input.substrate, options, input.sampling,
+                                           context);
+  }
+};
+
+void registerComponents(plugin::Registrar& registrar) {
+  registrar.addSlicing(
+      {.id = "wcam.slicing.constant",
+       .name = "Constant inter-layer distance",
+       .summary = "Curved layers, each at the same distance from the one below at every point.",
+       .version = 1,
+       .params = Params::schema().params()},
+      [] { return std::make_unique<ConstantSlicing>(); });
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.slicing.constant", "0.1.0", registerComponents);
