@@ -13,12 +13,20 @@ namespace wcam::toolpath {
 
 namespace {
 
-/// Build direction of every point: b = t × n with t from the neighbours.
-std::vector<Vec3> buildDirections(const std::vector<ContourPoint>& points) {
+/// Build direction of every point: b = t × n with t from the neighbours, on one side only at the
+/// seam, where ramps have a step.
+std::vector<Vec3> buildDirections(const std::vector<ContourPoint>& points,
+                                  const std::vector<std::size_t>& turns) {
+  std::vector<bool> first(points.size() + 1, false);
+  for (const std::size_t turn : turns) {
+    first[turn] = true;
+  }
+  first[points.size()] = true;
   std::vector<Vec3> directions(points.size(), Vec3::Zero());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 t = points[std::min(i + 1, points.size() - 1)].p - points[i > 0 ? i - 1 : 0].p;
-    const Vec3 b = t.cross(points[i].n);
+    const std::size_t before = first[i] ? i : i - 1;
+    const std::size_t after = first[i + 1] ? i : i + 1;
+    const Vec3 b = (points[after].p - points[before].p).cross(points[i].n);
     directions[i] = b.norm() > 0.0 ? Vec3(b.normalized()) : Vec3::Zero();
   }
   return directions;
@@ -90,7 +98,7 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
        projector.project(wanted, context.portion(0.0, 0.9, "projection"))) {
     contour.points.push_back({point.p, point.n});
   }
-  const std::vector<Vec3> up = buildDirections(contour.points);
+  const std::vector<Vec3> up = buildDirections(contour.points, turns);
   for (std::size_t i = 0; i < contour.points.size(); ++i) {
     contour.points[i].height = steps[i].dot(up[i]);
   }

@@ -20,13 +20,15 @@ using toolpath::SpiralStart;
 
 enum class Infeasible { Refuse, Report };
 
+enum class BorderEnd { Mirrored, Literal };
+
 struct Params {
   Length step = 2.0_mm;
   Length heightMin = 0.0_mm;
   Length heightMax = 0.0_mm;
   Decomposition decomposition = Decomposition::IsoValues;
   SpiralStart start = SpiralStart::Exact;
-  int end = 0;
+  BorderEnd end = BorderEnd::Mirrored;
   bool centred = true;
   Infeasible infeasible = Infeasible::Refuse;
   Length secondStep = 0.0_mm;
@@ -241,9 +243,9 @@ toolpath::SpiralWish wishOf(const Params& params, const toolpath::WallLimits& li
   wish.heightMax =
       params.heightMax.value() > 0.0 ? params.heightMax.value() : (1.0 + kGuaranteed) * wish.height;
   wish.start = params.start;
-  wish.end = limits.upper.empty() ? SpiralEnd::Point
-             : params.end == 0    ? SpiralEnd::Mirrored
-                                  : SpiralEnd::Literal;
+  wish.end = limits.upper.empty()                ? SpiralEnd::Point
+             : params.end == BorderEnd::Mirrored ? SpiralEnd::Mirrored
+                                                 : SpiralEnd::Literal;
   wish.centred = params.centred;
   wish.endReserve = params.endReserve.value() > 0.0 ? params.endReserve.value() : 0.5 * wish.height;
   wish.secondHeight = params.secondStep.value();
@@ -300,9 +302,12 @@ public:
              "make one operation per part");
     }
     const geometry::PartSurface& part = *input.parts.front();
+    // The field that orders the generatrices is smooth over many layers, and their points go to the
+    // exact surface: the mesh resolves the shape, not the layers.
+    constexpr double kLayersPerEdge = 4.0;
     const double edge = params.edge.value() > 0.0
                             ? params.edge.value()
-                            : geometry::fieldEdgeLength(part, params.step.value());
+                            : geometry::fieldEdgeLength(part, kLayersPerEdge * params.step.value());
     const geometry::PartSurface fine =
         geometry::refineSurface(part, edge, context.portion(0.0, 0.3, "refinement"));
     const toolpath::WallLimits limits = limitsOf(fine, *input.substrate);

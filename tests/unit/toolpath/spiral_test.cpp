@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/toolpath/spiral.hpp"
+
+#include "wcam/base/parallel.hpp"
+#include "wcam/geometry/surface_projector.hpp"
+
+#include "sample_meshes.hpp"
+#include "slicing_fixture.hpp"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wcam::toolpath {
+namespace {
+
+using geometry::Vec3;
+
+std::shared_ptr<const geometry::PartSurface> formulaPart(const std::string& name) {
+  return io::importPart(std::string(WCAM_TEST_DATA) + "/formula/" + name, io::ImportOptions{},
+                        geometry::Pose::Identity(), JobContext())
+      .surface;
+}
+
+struct Spiral {
+  SlicedLayers sliced;
+  std::vector<Diagnostic> findings;
+
+  [[nodiscard]] const Contour& bead() const { return sliced.layers.front().contours.front(); }
+
+  [[nodiscard]] double number(const std::string& key) const {
+    for (const Diagnostic& finding : findings) {
+      for (const auto& [name, value] : finding.data) {
+        if (finding.code == "slicing.spiral" && name == key) {
+          return value;
+        }
+      }
+    }
+    ADD_FAILURE() << "no number " << key;
+    return 0.0;
+  }
+};
+
+Spiral spiral(const std::shared_ptr<const geometry::PartSurface>& part,
+              const std::string& params,
+              const Sampling& sampling = {0.02, 4.9}) {
+  plugin::SliceInput input{{part}, test::plate(), nullptr, sampling};
+  const JobContext context;
+  Spiral result;
+  result.sliced = test::slice("wcam.slicing.spiral", input, params, context);
+  result.findings = context.diagnostics().items();
+  return result;
+}
+
+TEST(SpiralSlicing, LiteralLawReproducesTable33OnTheTrunkSurrogate) {
+  // Diourté Table 3.3, A21: 84 revolutions of 1.81 … 2.12 mm, one bead.
+  for (const std::string method : {"isovalues", "geodesic"}) {
+    SCOPED_TRACE(method);
+    const Spiral result = spiral(formulaPart("trunk_surrogate.wsurf"),
+                                 R"({"step": 2.0, "start": "none", "end": "literal",
+                                     "centred": false, "decomposition": ")" +
+                                     method + "\"}");
+    EXPECT_EQ(result.number("revolutions"), 84.0);
+    EXPECT_NEAR(result.number("deposit_min_mm"), 1.81, 0.005);
+    EXPECT_NEAR(result.number("deposit_max_mm"), 2.12, 0.005);
+    EXPECT_NEAR(result.number("shortest_mm"), 152.0, 0.1);
+    EXPECT_NEAR(result.number("longest_mm"), 178.0, 0.1);
+    ASSERT_EQ(result.sliced.layers.size(), 1U);
+    ASSERT_EQ(result.sliced.layers[0].contours.size(), 1U);
+  }
+}
+
+TEST(SpiralSlicing, PointsLieOnTheExactSurfaceAndTheSeamHasNoStep) {
+  const Spiral result = spiral(formulaPart("trunk_surrogate.wsurf"), R"({"step": 2.0})");
+  const double R = 165.0 * 19.0 / 13.0;
+  EXPECT_LT(result.number("seam_step_mm"), 1e-9);
+  const Contour& bead = result.bead();
+  for (const ContourPoint& point : bead.points) {
+    const double ring = std::hypot(point.p.x() + R, point.p.z()) - R;
+    EXPECT_NEAR(std::hypot(ring, point.p.y()), 19.0, 1e-6);
+    EXPECT_NEAR(point.n.norm(), 1.0, 1e-12);
+  }
+  // Ordered: no jump beyond the spacing except in the ramps' seams.
+  const std::size_t from = bead.turns[static_cast<std::size_t>(result.number("start_revolutions"))];
+  const std::size_t to =
+      bead.turns[bead.turns.size() - static_cast<std::size_t>(result.number("end_revolutions"))];
+  for (std::size_t i = from + 1; i < to; ++i) {
+    EXPECT_LT((bead.points[i].p - bead.points[i - 1].p).norm(), 4.9 * 1.05) << i;
+  }
+  // Heights inside the range, apart from the cosine of the path's slope (A27: below 1e-4).
+  for (std::size_t i = from; i < to; ++i) {
+    EXPECT_GT(bead.points[i].height, 1.8 * 0.999);
+    EXPECT_LT(bead.points[i].height, 2.2 * 1.001);
+  }
+}
+
+TEST(SpiralSlicing, CylinderIsAHelixOfTheExpectedHeight) {
+  // A27: R = 25, D = 2: γ = 0.7295°, H = D·cos γ = 1.99984.
+  const auto part = test::meshSurface(test::tubeMesh(25.0, 100.0, 256, 100));
+  const Spiral result = spiral(part, R"({"step": 2.0, "start": "ramp", "generatrices": 360})");
+  const Contour& bead = result.bead();
+  const double pitch = result.number("deposit_mean_mm");
+  const double slope = std::atan(pitch / (2.0 * kPi * 25.0));
+  for (std::size_t i = bead.turns[2]; i < bead.turns[bead.turns.size() - 2]; ++i) {
+    EXPECT_NEAR(bead.points[i].height, pitch * std::cos(slope), 2e-3);
+  }
+  // Travel clockwise seen from above, so that b = t × n points up (A26).
+  const Vec3 t = bead.points[1].p - bead.points[0].p;
+  EXPECT_GT(t.cross(bead.points[0].n).z(), 0.0);
+  EXPECT_NEAR(bead.points.back().p.z(), 100.0, 1e-9);
+  // A24: exactly one bead.
+  const Toolpath path = buildToolpath(result.sliced, *test::plate(), PathParams{}, JobContext());
+  EXPECT_EQ(path.beadCount(), 1U);
+}
+
+TEST(SpiralSlicing, SlantedTubeIsFeasibleInsideTheDerivedLimit) {
+  // A9: feasible iff R·tan β ≤ 0.1 H; here 25·tan 15° = 6.7 of 100.
+  for (const std::string method : {"isovalues", "envelope"}) {
+    SCOPED_TRACE(method);
+    const Spiral result =
+        spiral(formulaPart("slanted_tube.wsurf"),
+               R"({"step": 1.0, "start": "ramp", "decomposition": ")" + method + "\"}");
+    EXPECT_NEAR(result.number("longest_mm"), 100.0, 0.3);
+    EXPECT_NEAR(result.number("shortest_mm"), 100.0 - 50.0 * std::tan(degToRad(15.0)), 0.3);
+  }
+}
+
+TEST(SpiralSlicing, EnvelopeOfACylinderIsItself) {
+  // A4.
+  const auto part = test::meshSurface(test::tubeMesh(25.0, 100.0, 128, 50));
+  const Spiral result = spiral(part, R"({"step": 2.0, "decomposition": "envelope"})");
+  EXPECT_NEAR(result.number("shortest_mm"), 100.0, 1e-9);
+  EXPECT_NEAR(result.number("longest_mm"), 100.0, 1e-9);
+}
+
+TEST(SpiralSlicing, VaseOfRevolutionHasEqualGeneratrices) {
+  double length = 0.0;
+  constexpr int kPieces = 100000;
+  for (int i = 0; i < kPieces; ++i) {
+    const double z = 115.0 * (i + 0.5) / kPieces;
+    const double slope = 30.0 * 0.15 * 2.0 * kPi / 115.0 * std::cos(2.0 * kPi * z / 115.0);
+    length += std::hypot(1.0, slope) * 115.0 / kPieces;
+  }
+  for (const std::string method : {"isovalues", "geodesic", "envelope"}) {
+    SCOPED_TRACE(method);
+    const Spiral result =
+        spiral(formulaPart("vase.wsurf"), R"({"step": 2.0, "decomposition": ")" + method + "\"}");
+    EXPECT_NEAR(result.number("shortest_mm"), length, 0.02);
+    EXPECT_NEAR(result.number("longest_mm"), length, 0.02);
+    EXPECT_EQ(result.number("filled"), 0.0);
+  }
+}
+
+TEST(SpiralSlicing, HemisphereClosesAtItsPole) {
+  // A10: all generatrices have the length πR/2, the closure is the pole.
+  for (const std::string method : {"isovalues", "geodesic"}) {
+    SCOPED_TRACE(method);
+    const Spiral result = spiral(formulaPart("p1_hemisphere.wsurf"),
+                                 R"({"step": 2.0, "decomposition": ")" + method + "\"}");
+    EXPECT_NEAR(result.number("shortest_mm"), 45.0 * kPi / 2.0, 0.15);
+    EXPECT_NEAR(result.number("longest_mm"), 45.0 * kPi / 2.0, 0.15);
+    EXPECT_GT(result.bead().points.back().p.z(), 44.9);
+    EXPECT_LT(result.bead().points.back().p.z(), 45.0);
+  }
+}
+
+TEST(SpiralSlicing, TooNarrowARangeNamesTheGeneratrixAndWhatWouldDo) {
+  // A8: the quarter torus R50 r15 has lengths of 55 to 102 mm.
+  try {
+    (void)spiral(formulaPart("p4_quarter_torus.wsurf"), R"({"step": 2.0})");
+    FAIL() << "must refuse";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::JobFailed);
+    EXPECT_NE(error.message().find("generatrix from"), std::string::npos) << error.message();
+    EXPECT_NE(error.message().find("mm long"), std::string::npos);
+    EXPECT_NE(error.hint().find("±31 %"), std::string::npos) << error.hint();
+  }
+  const Spiral reported =
+      spiral(formulaPart("p4_quarter_torus.wsurf"), R"({"step": 2.0, "infeasible": "report"})");
+  EXPECT_TRUE(std::any_of(reported.findings.begin(), reported.findings.end(),
+                          [](const auto& f) { return f.code == "slicing.spiral_infeasible"; }));
+  const Spiral wide = spiral(formulaPart("p4_quarter_torus.wsurf"),
+                             R"({"step": 2.0, "height_min": 1.2, "height_max": 2.8})");
+  EXPECT_GT(wide.number("revolutions"), 30.0);
+}
+
+TEST(SpiralSlicing, RigidMotionAndScalingMoveThePath) {
+  const Spiral one = spiral(test::meshSurface(test::tubeMesh(20.0, 60.0, 64, 60)),
+                            R"({"step": 2.0, "generatrices": 64})");
+  geometry::TriangleMesh scaled = test::tubeMesh(20.0, 60.0, 64, 60);
+  for (Vec3& p : scaled.vertices) {
+    p = 2.0 * Vec3(p.y(), -p.x(), p.z());
+  }
+  const Spiral two =
+      spiral(test::meshSurface(scaled), R"({"step": 4.0, "generatrices": 64})", {0.04, 9.8});
+  ASSERT_EQ(one.bead().points.size(), two.bead().points.size());
+  for (std::size_t i = 0; i < one.bead().points.size(); ++i) {
+    EXPECT_NEAR(one.bead().points[i].height * 2.0, two.bead().points[i].height, 1e-6);
+    EXPECT_NEAR(one.bead().points[i].p.z() * 2.0, two.bead().points[i].p.z(), 1e-6);
+  }
+}
+
+TEST(SpiralSlicing, BadPartsAreRefusedWithTheReason) {
+  const auto message = [](const std::shared_ptr<const geometry::PartSurface>& part,
+                          const std::string& params) {
+    try {
+      (void)spiral(part, params);
+    } catch (const Error& error) {
+      EXPECT_FALSE(error.hint().empty());
+      return error.message();
+    }
+    return std::string("accepted");
+  };
+  EXPECT_NE(message(test::meshSurface(test::torusMesh(50, 15, 24, 48)), R"({"step": 2.0})")
+                .find("closed surface without a border"),
+            std::string::npos);
+  EXPECT_NE(message(test::meshSurface(test::tubeMesh(25.0, 5.0, 64, 5)), R"({"step": 2.0})")
+                .find("too short"),
+            std::string::npos);
+  EXPECT_NE(message(test::meshSurface(test::tubeMesh(25.0, 50.0, 64, 5)),
+                    R"({"step": 2.0, "height_min": 2.2, "height_max": 1.8})")
+                .find("above h_max"),
+            std::string::npos);
+  // A tube with a slit: its only border runs up and down.
+  geometry::TriangleMesh slit = test::tubeMesh(25.0, 50.0, 64, 50);
+  std::erase_if(slit.triangles, [](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [](std::uint32_t v) { return v % 64 < 2; });
+  });
+  EXPECT_NE(message(test::meshSurface(slit), R"({"step": 2.0})"), "accepted");
+}
+
+TEST(SpiralSlicing, ResultDoesNotDependOnThreads) {
+  std::vector<Spiral> results;
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    results.push_back(spiral(formulaPart("trunk_surrogate.wsurf"), R"({"step": 3.0})"));
+  }
+  for (std::size_t r = 1; r < results.size(); ++r) {
+    ASSERT_EQ(results[r].bead().points.size(), results[0].bead().points.size());
+    for (std::size_t i = 0; i < results[0].bead().points.size(); ++i) {
+      ASSERT_EQ(results[r].bead().points[i].p, results[0].bead().points[i].p);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wcam::toolpath
