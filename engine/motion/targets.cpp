@@ -85,13 +85,16 @@ Vec3 liftOffset(Deposit& deposit, const PathPoint& point, const Vec3& base, doub
   return base + point.up * std::max(missing, 0.0);
 }
 
-void addBead(const Bead& bead, int layer, int index, std::vector<Target>& targets) {
+void addBead(
+    const Bead& bead, int layer, int index, double travelSpeed, std::vector<Target>& targets) {
   for (std::size_t i = 0; i < bead.points.size(); ++i) {
-    Target target = targetAt(bead.points[i], layer, index);
+    const PathPoint& point = bead.points[i];
+    const bool travels = i == 0 || point.zone == toolpath::BeadZone::Wipe;
+    Target target = targetAt(point, layer, index);
     target.waypoint.point = static_cast<int>(i);
-    target.waypoint.arc = i > 0;
-    target.waypoint.speed = bead.points[i].speed;
-    target.waypoint.wireSpeed = i > 0 ? bead.points[i].wireSpeed : 0.0;
+    target.waypoint.arc = i > 0 && point.arc;
+    target.waypoint.speed = travels ? travelSpeed : point.speed;
+    target.waypoint.wireSpeed = target.waypoint.arc ? point.wireSpeed : 0.0;
     targets.push_back(target);
   }
 }
@@ -119,8 +122,7 @@ std::vector<Target> makeTargets(const toolpath::Toolpath& path,
       const Vec3 above = liftOffset(deposit, first, before, params.safeHeight.value());
       targets.push_back(travelAt(first, above, MoveKind::Joint, layer, index, travel));
       targets.push_back(travelAt(first, before, MoveKind::Linear, layer, index, travel));
-      addBead(bead, layer, index, targets);
-      targets[targets.size() - bead.points.size()].waypoint.speed = travel;
+      addBead(bead, layer, index, travel, targets);
       deposit.add(bead);
       const Vec3 after = last.axis * params.approachHeight.value();
       const Vec3 away = liftOffset(deposit, last, after, params.safeHeight.value());

@@ -173,8 +173,13 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
         toolpath::PathPoint& point = beads[b].points[i];
         point.width = point.width > 0.0 ? point.width : params.beadWidth.value();
         const double wanted = travelSpeed(point.height, point.width, params);
-        point.wireSpeed = params.wireSpeed.value();
-        point.speed = std::clamp(wanted, params.speedMin.value(), params.speedMax.value());
+        const double low = params.speedMin.value();
+        const double high = params.speedMax.value();
+        point.wireSpeed = point.arc ? params.wireSpeed.value() * point.wireFactor : 0.0;
+        point.speed = std::clamp(std::clamp(wanted, low, high) * point.speedFactor, low, high);
+        if (!point.arc) {
+          continue;
+        }
         speeds.add(wanted, params.speedMin.value(), params.speedMax.value(), b, i);
         // A bead is never higher than wide: its discs would no longer touch.
         const double heightMax = std::min(params.heightMax.value(), point.width);
@@ -219,6 +224,9 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
     for (const toolpath::Bead& bead : layer.beads) {
       for (std::size_t i = 0; i < bead.points.size(); ++i) {
         const toolpath::PathPoint& point = bead.points[i];
+        if (!point.arc) {
+          continue;
+        }
         const double wanted = travelSpeed(point.height, point.width, params);
         s.clampedPoints +=
             wanted < params.speedMin.value() || wanted > params.speedMax.value() ? 1U : 0U;

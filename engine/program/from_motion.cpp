@@ -52,11 +52,12 @@ public:
       put(BeadBegin{layer_, bead_}, {layer_, bead_, -1});
     }
     move(point, origin, point.arc != arcAfter);
+    if (arcAfter && wireSpeed_ != next->wireSpeed) {
+      // Before the arc, and within a bead where the feed changes.
+      wireSpeed_ = next->wireSpeed;
+      put(SetProcess{wireSpeed_}, origin);
+    }
     if (!arcOn_ && arcAfter) {
-      if (wireSpeed_ != next->wireSpeed) {
-        wireSpeed_ = next->wireSpeed;
-        put(SetProcess{wireSpeed_}, origin);
-      }
       put(ArcOn{arc_.job}, origin);
       arcOn_ = true;
     } else if (arcOn_ && !arcAfter) {

@@ -340,7 +340,8 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   pathKey.text(sliced.key).params(toolpath::PathParams::schema().params().complete(operation.path));
   const auto path = stage<toolpath::Toolpath>(
       "path", std::move(pathKey), context.portion(0.6, 0.7, "path"), [&](const JobContext& own) {
-        return toolpath::buildToolpath(*sliced.value, *substrate.value, pathParams, own);
+        return toolpath::buildToolpath(*sliced.value, *substrate.value, pathParams, own,
+                                       input.bead);
       });
   collectFrom(path);
 

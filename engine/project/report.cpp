@@ -81,6 +81,21 @@ Value reportHead() {
   return Value::object({{"format", "wcam-report"}, {"format_version", kReportVersion}});
 }
 
+/// Beads by what they are for.
+Value featureCounts(const toolpath::Toolpath& path) {
+  std::map<std::string, int> counts;
+  for (const toolpath::Layer& layer : path.layers) {
+    for (const toolpath::Bead& bead : layer.beads) {
+      ++counts[toString(bead.feature)];
+    }
+  }
+  Value result = Value::object();
+  for (const auto& [feature, count] : counts) {
+    result.set(feature, count);
+  }
+  return result;
+}
+
 void addPath(Value& report, const OperationResult& result) {
   Range height;
   Range distance;
@@ -91,12 +106,16 @@ void addPath(Value& report, const OperationResult& result) {
     for (const toolpath::Bead& bead : result.path->layers[l].beads) {
       for (std::size_t i = 0; i < bead.points.size(); ++i) {
         const toolpath::PathPoint& point = bead.points[i];
+        if (!point.arc) {
+          continue;
+        }
         const double before = i > 0 ? (point.p - bead.points[i - 1].p).norm() : 0.0;
         const double after =
             i + 1 < bead.points.size() ? (bead.points[i + 1].p - point.p).norm() : 0.0;
         const double weight = 0.5 * (before + after);
         height.add(point.height, weight);
-        if (l > 0) {
+        // The first layer lies on the substrate; of a climbing bead that is a part.
+        if (l > 0 || bead.revolutions > 1) {
           distance.add(point.distance, weight);
         }
         tilt.add(angleDeg(point.axis, point.up), weight);
@@ -168,7 +187,7 @@ Value operationReport(const OperationResult& result) {
   report.set("layers", result.path->layers.size())
       .set("beads", result.path->beadCount())
       .set("points", result.path->pointCount());
-  report.set("arc_starts", result.path->beadCount());
+  report.set("arc_starts", result.path->beadCount()).set("features", featureCounts(*result.path));
   addProcess(report, result);
   addPath(report, result);
   addMotion(report, result);

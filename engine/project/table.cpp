@@ -107,7 +107,7 @@ std::string operationTable(const OperationResult& result) {
         row.fixed(point.width, kFigureDecimals);
         row.fixed(point.speed, kFigureDecimals);
         row.fixed(toFileUnit(QuantityKind::WireSpeed, point.wireSpeed), kFigureDecimals);
-        row.integer(i > 0 ? 1 : 0);
+        row.integer(i > 0 && point.arc ? 1 : 0);
         row.fixed(waypoint != nullptr ? waypoint->time : 0.0, kFigureDecimals);
         row.fixed(waypoint != nullptr ? waypoint->tcpSpeed : 0.0, kFigureDecimals);
         for (int j = 0; j < joints; ++j) {

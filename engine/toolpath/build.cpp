@@ -8,6 +8,9 @@
 #include "wcam/toolpath/tool_axis.hpp"
 
 #include "bead_order.hpp"
+#include "bead_reference.hpp"
+#include "frames.hpp"
+#include "zones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,40 +21,8 @@ namespace wcam::toolpath {
 
 namespace {
 
-/// Below this a sum or product of unit vectors has no direction that rounding leaves alone.
-constexpr double kNoDirection = 1e-9;
 /// A point nearer to the substrate than this part of the layer height lies on it.
 constexpr double kOnSubstrate = 1e-6;
-
-/// Unit tangent at the middle of three points: exact on circles (each chord weighted by the other's
-/// length).
-Vec3 tangentAt(const Vec3& before, const Vec3& p, const Vec3& after) {
-  const Vec3 d1 = p - before;
-  const Vec3 d2 = after - p;
-  const double l1 = d1.norm();
-  const double l2 = d2.norm();
-  Vec3 t = Vec3::Zero();
-  if (l1 > 0.0) {
-    t += d1 / l1 * l2;
-  }
-  if (l2 > 0.0) {
-    t += d2 / l2 * l1;
-  }
-  // A point where the path turns back on itself has no mean direction: keep the one that leaves.
-  return t.norm() > kNoDirection * (l1 + l2) ? Vec3(t.normalized())
-                                             : Vec3((l2 > 0.0 ? d2 : d1).normalized());
-}
-
-/// Right-handed (t, n, b) with t kept and n as near to the surface normal as it can be.
-void setFrame(PathPoint& point, const Vec3& t, const Vec3& surfaceNormal, const Vec3& fallbackUp) {
-  Vec3 b = t.cross(surfaceNormal);
-  if (b.norm() < kNoDirection) {
-    b = fallbackUp - fallbackUp.dot(t) * t;
-  }
-  point.t = t;
-  point.b = b.norm() > 0.0 ? Vec3(b.normalized()) : t.unitOrthogonal();
-  point.n = point.b.cross(point.t);
-}
 
 void setAxis(PathPoint& point, const Vec3& up, const PathParams& params) {
   point.up = up;
@@ -74,6 +45,7 @@ Bead makeBead(const Contour& contour,
   bead.closed = contour.closed;
   bead.part = contour.part;
   bead.feature = contour.feature;
+  bead.revolutions = static_cast<int>(contour.turns.size());
   const std::size_t n = contour.points.size();
   bead.points.resize(n + (contour.closed ? 1 : 0));
   for (std::size_t i = 0; i < bead.points.size(); ++i) {
@@ -237,10 +209,13 @@ void reportOutsidePlate(const Layer& first, const Substrate& substrate, const Jo
 
 }  // namespace
 
-Toolpath buildToolpath(const SlicedLayers& sliced,
+Toolpath buildToolpath(const SlicedLayers& contours,
                        const Substrate& substrate,
                        const PathParams& params,
-                       const JobContext& context) {
+                       const JobContext& context,
+                       const BeadRange& range) {
+  const SlicedLayers sliced =
+      withBeadReference(contours, params.beadReference, range.width, params.sampling(), context);
   Toolpath path;
   BeadOrder order(params, substrate);
   const AxisMode automatic = sliced.curved ? AxisMode::Local : AxisMode::Layer;
@@ -258,6 +233,9 @@ Toolpath buildToolpath(const SlicedLayers& sliced,
     }
     setDistances(layer, ordered, source, contoursBelow(sliced, l), substrate);
     reportUnsupported(layer, static_cast<int>(l), source.nominalHeight, context);
+    for (Bead& bead : layer.beads) {
+      addZones(bead, params.zones());
+    }
     path.layers.push_back(std::move(layer));
     context.report(static_cast<double>(l + 1) / static_cast<double>(sliced.layers.size()));
   }

@@ -136,6 +136,87 @@ void addOrder(Schema<PathParams>& schema) {
                                       .choices = {{"layer", "Layer"}, {"bead", "Bead"}}});
 }
 
+void addBeads(Schema<PathParams>& schema) {
+  schema.add(
+      &PathParams::beadReference,
+      {.key = "bead_reference",
+       .label = "Contour is the bead's",
+       .help = "Which side of the bead the part's surface is. The bead is moved by half its "
+               "width inside the layer.",
+       .group = "Bead",
+       .choices = {{"centre", "Middle"}, {"inside", "Inner side"}, {"outside", "Outer side"}}});
+}
+
+void addLeads(Schema<PathParams>& schema) {
+  schema
+      .add(&PathParams::leadIn, {.key = "lead_in",
+                                 .label = "Lead-in",
+                                 .help = "Straight run onto the start, along the bead's tangent.",
+                                 .group = "Start and end",
+                                 .min = 0.0,
+                                 .max = 1000.0})
+      .add(&PathParams::leadOut, {.key = "lead_out",
+                                  .label = "Lead-out",
+                                  .help = "Straight run on from the end.",
+                                  .group = "Start and end",
+                                  .min = 0.0,
+                                  .max = 1000.0})
+      .add(&PathParams::leadArc, {.key = "lead_arc",
+                                  .label = "Arc on in lead-in and lead-out",
+                                  .help = "Off: the arc is lit where the bead starts.",
+                                  .group = "Start and end",
+                                  .level = ParamLevel::Advanced})
+      .add(&PathParams::overlap,
+           {.key = "overlap",
+            .label = "Overlap of closed beads",
+            .help = "Length for which a closed bead runs on over its own start.",
+            .group = "Start and end",
+            .min = 0.0,
+            .max = 1000.0})
+      .add(&PathParams::wipe, {.key = "wipe",
+                               .label = "Wipe",
+                               .help = "Way back over the bead with the arc off.",
+                               .group = "Start and end",
+                               .min = 0.0,
+                               .max = 1000.0})
+      .add(&PathParams::wipeLift, {.key = "wipe_lift",
+                                   .label = "Lift of the wipe",
+                                   .help = "Height gained on the way back.",
+                                   .group = "Start and end",
+                                   .level = ParamLevel::Advanced,
+                                   .min = 0.0,
+                                   .max = 100.0});
+}
+
+/// One end's ramp: its length and the two factors.
+void addRamp(Schema<PathParams>& schema,
+             const std::string& key,
+             const std::string& where,
+             Length PathParams::*length,
+             double PathParams::*speed,
+             double PathParams::*wire) {
+  const auto factor = [&](const std::string& what) {
+    return ParamInfo{
+        .key = key + "_" + what,
+        .label = (what == "wire" ? "Wire feed at the " : "Travel speed at the ") + where,
+        .help = "Factor at the " + where + "; linear to 1 over the ramp.",
+        .group = "Start and end",
+        .level = ParamLevel::Advanced,
+        .min = 0.1,
+        .max = 10.0};
+  };
+  schema
+      .add(length, {.key = key,
+                    .label = "Ramp at the " + where,
+                    .help = "Length over which travel speed and wire feed change. The heat is "
+                            "least at the start and greatest at the end of a bead.",
+                    .group = "Start and end",
+                    .min = 0.0,
+                    .max = 1000.0})
+      .add(speed, factor("speed"), ParamType::Real, QuantityKind::Ratio)
+      .add(wire, factor("wire"), ParamType::Real, QuantityKind::Ratio);
+}
+
 void addToolAxis(Schema<PathParams>& schema) {
   schema
       .add(&PathParams::axis,
@@ -168,6 +249,12 @@ Schema<PathParams> makeSchema() {
   addSampling(schema);
   addSeam(schema);
   addOrder(schema);
+  addBeads(schema);
+  addLeads(schema);
+  addRamp(schema, "ramp_in", "start", &PathParams::rampIn, &PathParams::rampInSpeed,
+          &PathParams::rampInWire);
+  addRamp(schema, "ramp_out", "end", &PathParams::rampOut, &PathParams::rampOutSpeed,
+          &PathParams::rampOutWire);
   addToolAxis(schema);
   return schema;
 }
@@ -177,6 +264,23 @@ Schema<PathParams> makeSchema() {
 const Schema<PathParams>& PathParams::schema() {
   static const Schema<PathParams> schema = makeSchema();
   return schema;
+}
+
+ZoneParams PathParams::zones() const {
+  ZoneParams zones;
+  zones.leadIn = leadIn.value();
+  zones.leadOut = leadOut.value();
+  zones.leadArc = leadArc;
+  zones.rampIn = rampIn.value();
+  zones.rampOut = rampOut.value();
+  zones.rampInSpeed = rampInSpeed;
+  zones.rampInWire = rampInWire;
+  zones.rampOutSpeed = rampOutSpeed;
+  zones.rampOutWire = rampOutWire;
+  zones.overlap = overlap.value();
+  zones.wipe = wipe.value();
+  zones.wipeLift = wipeLift.value();
+  return zones;
 }
 
 }  // namespace wcam::toolpath

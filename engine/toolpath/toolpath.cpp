@@ -5,6 +5,24 @@
 
 namespace wcam::toolpath {
 
+const char* toString(BeadFeature feature) noexcept {
+  switch (feature) {
+    case BeadFeature::Wall:
+      return "wall";
+    case BeadFeature::Inset:
+      return "inset";
+    case BeadFeature::Fill:
+      return "fill";
+    case BeadFeature::Junction:
+      return "junction";
+    case BeadFeature::Cladding:
+      return "cladding";
+    case BeadFeature::Imported:
+      return "imported";
+  }
+  return "wall";
+}
+
 double Bead::length() const {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -36,6 +36,29 @@ enum class OrderMode {
 /// When "alternate" turns the direction of travel.
 enum class AlternateBy { Layer, Bead };
 
+/// Which side of the bead the contour is: thin-walled parts are modelled by one of their surfaces.
+enum class BeadReference {
+  Centre,   ///< the bead's middle runs on the contour
+  Inside,   ///< the contour is the bead's inner side: it lies outside of it
+  Outside,  ///< the contour is the bead's outer side
+};
+
+/// What is added where a bead starts and ends. Lengths in mm; 0: none.
+struct ZoneParams {
+  double leadIn = 0.0;        ///< straight run onto the start, along its tangent
+  double leadOut = 0.0;       ///< straight run from the end on
+  bool leadArc = false;       ///< the arc burns in both
+  double rampIn = 0.0;        ///< length in which speed and wire feed grow to their values
+  double rampOut = 0.0;       ///< length in which they leave them
+  double rampInSpeed = 1.0;   ///< factor of the travel speed at the start
+  double rampInWire = 1.0;    ///< factor of the wire feed speed at the start
+  double rampOutSpeed = 1.0;  ///< … at the end
+  double rampOutWire = 1.0;
+  double overlap = 0.0;   ///< run of a closed bead past its seam
+  double wipe = 0.0;      ///< run back over the bead with the arc off
+  double wipeLift = 0.0;  ///< height that is gained in it
+};
+
 enum class AxisMode {
   Local,   ///< the build direction b of each point (tangent to the part's wall)
   Layer,   ///< the layer's build direction (plane normal)
@@ -63,11 +86,28 @@ struct PathParams {
   bool alternate = false;
   AlternateBy alternateBy = AlternateBy::Layer;
 
+  BeadReference beadReference = BeadReference::Centre;
+
+  Length leadIn = 0.0_mm;
+  Length leadOut = 0.0_mm;
+  bool leadArc = false;
+  Length rampIn = 0.0_mm;
+  double rampInSpeed = 1.0;
+  double rampInWire = 1.0;
+  Length rampOut = 0.0_mm;
+  double rampOutSpeed = 1.0;
+  double rampOutWire = 1.0;
+  Length overlap = 0.0_mm;
+  Length wipe = 0.0_mm;
+  Length wipeLift = 2.0_mm;
+
   AxisMode axis = AxisMode::Auto;
   Angle lead = 0.0_deg;
   Angle lateralTilt = 0.0_deg;
 
   static const Schema<PathParams>& schema();
+
+  [[nodiscard]] ZoneParams zones() const;
 
   [[nodiscard]] Sampling sampling() const { return {chordError.value(), maxSpacing.value()}; }
 };
@@ -81,10 +121,13 @@ struct PathParams {
 /// Contours of a lower group come first; a bead of several revolutions keeps its start and
 /// direction.
 ///
-/// Findings: toolpath.unsupported (a bead in the air), toolpath.outside_plate.
-Toolpath buildToolpath(const SlicedLayers& sliced,
+/// @param range the width of the beads, for BeadReference
+/// Findings: toolpath.unsupported (a bead in the air), toolpath.outside_plate,
+/// toolpath.seam_too_close, toolpath.contour_vanished.
+Toolpath buildToolpath(const SlicedLayers& contours,
                        const Substrate& substrate,
                        const PathParams& params,
-                       const JobContext& context);
+                       const JobContext& context,
+                       const BeadRange& range = {});
 
 }  // namespace wcam::toolpath

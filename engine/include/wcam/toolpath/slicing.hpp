@@ -44,6 +44,9 @@ enum class BeadFeature {
   Imported   ///< from a file
 };
 
+/// Stable name in reports: "wall", "inset", …
+const char* toString(BeadFeature feature) noexcept;
+
 /// A sampled level curve. A closed one does not repeat its first point. Direction: travel t with t
 /// × n = up made tangent to the surface (n outward): outer contours run clockwise seen against the
 /// build direction.

@@ -11,6 +11,9 @@
 
 namespace wcam::toolpath {
 
+/// Which part of a bead a move belongs to.
+enum class BeadZone { Body, LeadIn, Overlap, LeadOut, Wipe };
+
 /// A point of a bead, in the part frame. (t, n, b) is right-handed: t along travel, n the outward
 /// surface normal made perpendicular to t, b = t × n the build direction.
 struct PathPoint {
@@ -27,14 +30,21 @@ struct PathPoint {
   double width = 0.0;      ///< bead width, mm; 0 before the process is applied: the process's
   double speed = 0.0;      ///< travel speed of the move that ends here, mm/s
   double wireSpeed = 0.0;  ///< wire feed speed of the move that ends here, mm/s
+  /// The arc burns during the move that ends here; without meaning at the first point.
+  bool arc = true;
+  BeadZone zone = BeadZone::Body;  ///< of the move that ends here (of the first point: that begins)
+  double speedFactor = 1.0;        ///< of the travel speed, in ramps
+  double wireFactor = 1.0;         ///< of the wire feed speed, in ramps
 };
 
-/// One run of the torch with the arc on. A closed bead repeats its first point as its last one.
+/// One run of the torch with the arc on, perhaps with moves before and after it whose arc is off. A
+/// closed bead repeats the first point of its body as the body's last one.
 struct Bead {
   std::vector<PathPoint> points;
   bool closed = false;
   int part = 0;  ///< index of the part in the operation
   BeadFeature feature = BeadFeature::Wall;
+  int revolutions = 0;  ///< of a bead that climbs (Contour::turns); 0 for a bead of one layer
   [[nodiscard]] double length() const;
 };
 
