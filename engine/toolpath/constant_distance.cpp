@@ -73,7 +73,9 @@ public:
     line_ = std::make_unique<FrontLine>();
     std::vector<FrontCurve> curves = trace(*lines_.back(), step);
     for (const std::uint32_t v : band_) {
-      covered_[v] = covered_[v] || (stamp_[v] == generation_ && distance_[v] < step);
+      // A vertex on the layer is ahead of it, as it is for the tracing.
+      covered_[v] =
+          covered_[v] || (stamp_[v] == generation_ && distance_[v] < step - kSnap * size_);
     }
     seeds_.clear();
     for (const FrontCurve& curve : curves) {
@@ -91,9 +93,13 @@ public:
 
   [[nodiscard]] std::size_t unrefined() const { return unrefined_; }
 
-  /// Whether a vertex was never reached.
-  [[nodiscard]] std::size_t uncovered() const {
-    return static_cast<std::size_t>(std::count(reached_.begin(), reached_.end(), false));
+  /// Vertices of the wall that no layer came to.
+  [[nodiscard]] std::size_t notReached() const {
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < reached_.size(); ++v) {
+      count += reached_[v] || base_.covered[v] ? 0U : 1U;
+    }
+    return count;
   }
 
 private:
@@ -443,20 +449,13 @@ void slicePart(const PartSurface& part,
       break;
     }
   }
-  if (const std::size_t missing = fronts.uncovered(); missing > 0) {
-    // Vertices inside a flat bottom or below the substrate are no wall.
-    std::size_t wall = 0;
-    for (std::size_t v = 0; v < part.mesh.vertices.size(); ++v) {
-      wall += fronts.base().covered[v] ? 0U : 1U;
-    }
-    if (missing > part.mesh.vertices.size() - wall && !options.end) {
-      context.add({Severity::Warning,
-                   "slicing.not_reached",
-                   "a piece of the part is not joined to the base and gets no layers",
-                   "close the gaps of the part, or give the piece a base of its own",
-                   {},
-                   {{"vertices", static_cast<double>(missing)}}});
-    }
+  if (const std::size_t missing = fronts.notReached(); missing > 0 && !options.end) {
+    context.add({Severity::Warning,
+                 "slicing.not_reached",
+                 "a piece of the part is not joined to the base and gets no layers",
+                 "close the gaps of the part, or give the piece a base of its own",
+                 {},
+                 {{"vertices", static_cast<double>(missing)}}});
   }
   if (fronts.unrefined() > 0) {
     context.add({Severity::Warning,
