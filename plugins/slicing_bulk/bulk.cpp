@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/parallel.hpp"
+#include "wcam/base/text.hpp"
+#include "wcam/plugin/plugin.hpp"
+
+#include "bulk_params.hpp"
+#include "bulk_section.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace {
+
+using namespace wcam;
+using namespace wcam::bulk;
+using geometry::Region2;
+using toolpath::Contour;
+using toolpath::FillCoverage;
+using toolpath::FillOptions;
+using toolpath::FillResult;
+using toolpath::SlicedLayer;
+using toolpath::SlicedLayers;
+
+/// Part of the chord error that the outline of a section may lose before it is filled.
+constexpr double kOutlineShare = 0.25;
+
+struct FilledLayer {
+  std::vector<Contour> contours;
+  std::vector<Diagnostic> findings;
+  std::size_t openContours = 0;
+};
+
+std::vector<std::pair<std::string, double>> at(const LayerPlane& plane, const Vec2& q) {
+  const Vec3 p = plane.toSpace(q);
+  return {{"x_mm", p.x()}, {"y_mm", p.y()}, {"z_mm", p.z()}};
+}
+
+std::string placeText(const LayerPlane& plane, const Vec2& q) {
+  const Vec3 p = plane.toSpace(q);
+  return "(" + formatFixed(p.x(), 2) + ", " + formatFixed(p.y(), 2) + ", " + formatFixed(p.z(), 2) +
+         ")";
+}
+
+void reportCoverage(const FillCoverage& coverage,
+                    const Params& params,
+                    const LayerPlane& plane,
+                    FilledLayer& layer) {
+  if (coverage.coveredPart() < params.leastCoverage) {
+    auto data = at(plane, coverage.largestVoid);
+    data.insert(data.begin(), {{"covered_percent", 100.0 * coverage.coveredPart()},
+                               {"void_area_mm2", coverage.largestVoidArea}});
+    layer.findings.push_back(
+        {Severity::Warning,
+         "slicing.voids",
+         "beads cover " + formatFixed(100.0 * coverage.coveredPart(), 1) +
+             " % of the section; the largest void is at " + placeText(plane, coverage.largestVoid),
+         "choose another pattern or line angle, a narrower bead, or a wider range of bead widths",
+         {},
+         std::move(data)});
+  }
+  if (coverage.fillRatio() > params.mostFill) {
+    layer.findings.push_back({Severity::Warning,
+                              "slicing.overfill",
+                              "the beads need " + formatFixed(100.0 * coverage.fillRatio(), 1) +
+                                  " % of the room they have and pile up",
+                              "use fewer walls, the medial pattern or a narrower bead",
+                              {},
+                              {{"fill_percent", 100.0 * coverage.fillRatio()}}});
+  }
+}
+
+void reportNarrow(const FillResult& fill, const LayerPlane& plane, FilledLayer& layer) {
+  const toolpath::NarrowPlace* worst = nullptr;
+  std::size_t unfilled = 0;
+  for (const toolpath::NarrowPlace& place : fill.narrow) {
+    unfilled += place.filled ? 0U : 1U;
+    const bool worse = worst == nullptr || (worst->filled && !place.filled) ||
+                       (worst->filled == place.filled && place.thickness < worst->thickness);
+    worst = worse ? &place : worst;
+  }
+  if (worst == nullptr) {
+    return;
+  }
+  auto data = at(plane, worst->p);
+  data.insert(data.begin(), {{"places", static_cast<double>(fill.narrow.size())},
+                             {"unfilled", static_cast<double>(unfilled)},
+                             {"thickness_mm", worst->thickness}});
+  layer.findings.push_back(
+      {unfilled > 0 ? Severity::Warning : Severity::Information,
+       "slicing.narrow",
+       "the section is narrower than a bead: " + formatFixed(worst->thickness, 2) + " mm at " +
+           placeText(plane, worst->p) +
+           (unfilled > 0 ? "; nothing is laid there" : "; one bead of that width is laid there"),
+       unfilled > 0 ? "allow narrower beads (min_width, fill_narrow) or thicken the part" : "",
+       {},
+       std::move(data)});
+}
+
+class LayerFiller {
+public:
+  LayerFiller(const plugin::SliceInput& input,
+              const Params& params,
+              const toolpath::PlaneStack& stack)
+      : input_(input),
+        params_(params),
+        stack_(stack),
+        options_(params.fill(input.bead, input.sampling)) {}
+
+  [[nodiscard]] const FillOptions& options() const { return options_; }
+
+  /// @param index of the layer among those that meet a part
+  [[nodiscard]] FilledLayer fill(const SlicedLayer& layer, std::size_t index) const {
+    FilledLayer result;
+    const LayerPlane plane(layer.up, stack_.base + layer.level, *input_.substrate);
+    FillOptions options = options_;
+    options.angle = params_.angle.value() + static_cast<double>(index) * params_.angleStep.value();
+    std::set<int> parts;
+    for (const Contour& contour : layer.contours) {
+      parts.insert(contour.part);
+      if (!contour.closed) {
+        ++result.openContours;
+        result.contours.push_back(contour);
+      }
+    }
+    for (const int part : parts) {
+      fillPart(layer, part, plane, options, result);
+    }
+    return result;
+  }
+
+private:
+  void fillPart(const SlicedLayer& layer,
+                int part,
+                const LayerPlane& plane,
+                const FillOptions& options,
+                FilledLayer& result) const {
+    Region2 region = sectionRegion(layer, part, plane, kOutlineShare * input_.sampling.chordError);
+    if (input_.substrate->isPlate()) {
+      region = abovePlate(region, plane, *input_.substrate);
+    }
+    if (params_.minArea > 0.0) {
+      Region2 kept;
+      for (const Region2& island : geometry::islandsOf(region)) {
+        if (island.area() >= params_.minArea) {
+          kept.loops.insert(kept.loops.end(), island.loops.begin(), island.loops.end());
+        }
+      }
+      region = std::move(kept);
+    }
+    if (region.empty()) {
+      return;
+    }
+    const FillResult fill = toolpath::fillRegion(region, options);
+    for (const toolpath::FillBead& bead : fill.beads) {
+      result.contours.push_back(toContour(bead, part, plane, input_.sampling));
+    }
+    reportNarrow(fill, plane, result);
+    if (options.pattern != toolpath::FillPattern::None) {
+      reportCoverage(toolpath::fillCoverage(region, fill.beads, options), params_, plane, result);
+    }
+  }
+
+  const plugin::SliceInput& input_;
+  const Params& params_;
+  const toolpath::PlaneStack& stack_;
+  FillOptions options_;
+};
+
+/// The planes' sections, not cut by a plate: closed contours stay closed and are cut as areas.
+SlicedLayers sections(const plugin::SliceInput& input,
+                      const toolpath::PlaneStack& stack,
+                      const JobContext& context) {
+  if (!input.substrate->isPlate()) {
+    return toolpath::sliceByField(input.parts, toolpath::PlaneField(stack), stack.levels,
+                                  *input.substrate, input.sampling, context);
+  }
+  double depth = 0.0;
+  for (const auto& part : input.parts) {
+    for (const Vec3& p : part->mesh.vertices) {
+      depth = std::max(depth, -input.substrate->heightAbove(p));
+    }
+  }
+  geometry::Pose below = input.substrate->pose();
+  below.translation() -= 2.0 * depth * input.substrate->up();
+  return toolpath::sliceByField(input.parts, toolpath::PlaneField(stack), stack.levels,
+                                toolpath::Substrate(below, input.substrate->size()), input.sampling,
+                                context);
+}
+
+void reportOpenSurfaces(const plugin::SliceInput& input, const JobContext& context) {
+  for (std::size_t k = 0; k < input.parts.size(); ++k) {
+    const std::size_t borders = input.parts[k]->halfEdges.borderEdgeCount();
+    if (borders > 0) {
+      context.add({Severity::Information,
+                   "slicing.open_surface",
+                   "the surface of part " + std::to_string(k + 1) +
+                       " is not closed; its closed sections are filled as those of a solid",
+                   "repair the part if it should be a solid; take a wall strategy if it is a shell",
+                   {},
+                   {{"border_edges", static_cast<double>(borders)}}});
+    }
+  }
+}
+
+void refuseOpenSection(const SlicedLayer& layer, std::size_t index) {
+  for (const Contour& contour : layer.contours) {
+    if (!contour.closed) {
+      const Vec3& p = contour.points.front().p;
+      throw Error(ErrorCode::JobFailed,
+                  "the section is not closed, so it has no inside to fill: it ends at (" +
+                      formatFixed(p.x(), 3) + ", " + formatFixed(p.y(), 3) + ", " +
+                      formatFixed(p.z(), 3) + ")",
+                  "bulk slicing, layer " + std::to_string(index),
+                  "repair the part's surface, take a wall strategy, or set open_sections=bead to "
+                  "lay the section itself as a bead");
+    }
+  }
+}
+
+class BulkSlicing : public plugin::SlicingStrategy {
+public:
+  [[nodiscard]] SlicedLayers slice(const plugin::SliceInput& input,
+                                   const Value& values,
+                                   const JobContext& context) const override {
+    const Params params = Params::schema().read(values, "bulk slicing");
+    const toolpath::PlaneStack stack =
+        toolpath::planeStack(input.parts, *input.substrate, params.planes());
+    const LayerFiller filler(input, params, stack);
+    SlicedLayers sliced = sections(input, stack, context.portion(0.0, 0.3, "sections"));
+    if (params.openSections == OpenSections::Refuse) {
+      for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
+        refuseOpenSection(sliced.layers[l], l);
+      }
+    }
+    reportOpenSurfaces(input, context);
+    const JobContext filling = context.portion(0.3, 1.0, "filling");
+    std::vector<FilledLayer> filled(sliced.layers.size());
+    parallelFor(
+        filled.size(), 1, [&](std::size_t l) { filled[l] = filler.fill(sliced.layers[l], l); },
+        filling);
+    return assemble(std::move(sliced), std::move(filled), context);
+  }
+
+private:
+  static SlicedLayers assemble(SlicedLayers sliced,
+                               std::vector<FilledLayer> filled,
+                               const JobContext& context) {
+    SlicedLayers result;
+    std::size_t open = 0;
+    for (std::size_t l = 0; l < filled.size(); ++l) {
+      const int index = static_cast<int>(result.layers.size());
+      if (filled[l].contours.empty()) {
+        context.diagnostics().append(filled[l].findings);
+        context.add(
+            {Severity::Warning,
+             "slicing.empty_layer",
+             "no bead fits into the section at " + formatFixed(sliced.layers[l].level, 3) + " mm",
+             "allow narrower or shorter beads (min_width, min_length)",
+             {},
+             {{"level", sliced.layers[l].level}}});
+        continue;
+      }
+      for (Diagnostic& finding : filled[l].findings) {
+        finding.place.layer = index;
+        context.add(std::move(finding));
+      }
+      open += filled[l].openContours;
+      sliced.layers[l].contours = std::move(filled[l].contours);
+      result.layers.push_back(std::move(sliced.layers[l]));
+    }
+    if (result.layers.empty()) {
+      throw Error(
+          ErrorCode::JobFailed, "no bead fits into any section", "bulk slicing",
+          "use a narrower bead, or allow narrower or shorter beads (min_width, min_length)");
+    }
+    if (open > 0) {
+      context.add({Severity::Warning,
+                   "slicing.open_section",
+                   std::to_string(open) +
+                       " contours are not closed and are laid as single beads along the section",
+                   "repair the part's surface if it should be a solid",
+                   {},
+                   {{"contours", static_cast<double>(open)}}});
+    }
+    context.report(1.0);
+    return result;
+  }
+};
+
+void registerComponents(plugin::Registrar& registrar) {
+  registrar.addSlicing(
+      {.id = "wcam.slicing.bulk",
+       .name = "Filled planar layers",
+       .summary = "Planar layers of a solid, filled with walls and a pattern at the bead overlap.",
+       .version = 1,
+       .params = Params::schema().params()},
+      [] { return std::make_unique<BulkSlicing>(); });
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.slicing.bulk", "0.1.0", registerComponents);
