@@ -5,11 +5,10 @@
 
 #include "wcam/base/error.hpp"
 #include "wcam/base/text.hpp"
-#include "wcam/geometry/geodesic.hpp"
-#include "wcam/geometry/harmonic.hpp"
 #include "wcam/geometry/level_set.hpp"
 
 #include "wall_decomposition.hpp"
+#include "wall_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,86 +80,15 @@ std::size_t curveCount(const std::vector<Loop>& loops, const Sampling& sampling)
 namespace {
 
 /// Levels of a field that lie about `spacing` apart on the surface, the field's ends left out.
-std::vector<double> evenLevels(const geometry::TriangleMesh& mesh,
-                               const std::vector<double>& field,
-                               double end,
-                               double spacing) {
-  // Mean distance between levels per unit of the field: ∫ds/|∇φ| over ∫ds, in slices of the field.
-  constexpr std::size_t kSlices = 256;
-  std::vector<double> area(kSlices, 0.0);
-  std::vector<double> weight(kSlices, 0.0);
-  const std::vector<Vec3> gradients = geometry::triangleGradients(mesh, field);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const double middle = (field[a] + field[b] + field[c]) / 3.0;
-    const double slope = gradients[t].norm();
-    if (!std::isfinite(slope)) {
-      continue;
-    }
-    const double size =
-        0.5 *
-        (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
-    const auto slice = static_cast<std::size_t>(std::clamp(
-        middle / end * static_cast<double>(kSlices), 0.0, static_cast<double>(kSlices - 1)));
-    area[slice] += size;
-    weight[slice] += size * slope;
-  }
-  std::vector<double> reached(kSlices + 1, 0.0);
-  double last = 0.0;
-  for (std::size_t s = 0; s < kSlices; ++s) {
-    const double each = weight[s] > 0.0 ? area[s] / weight[s] : last;
-    last = each;
-    reached[s + 1] = reached[s] + each * end / static_cast<double>(kSlices);
-  }
-  const auto count = static_cast<std::size_t>(std::ceil(reached.back() / spacing));
+std::vector<double> evenLevels(const MeanHeight& height, double spacing) {
+  const auto count = static_cast<std::size_t>(std::ceil(height.total() / spacing));
   std::vector<double> levels;
-  std::size_t s = 0;
   for (std::size_t k = 1; k < count; ++k) {
-    const double wanted = reached.back() * static_cast<double>(k) / static_cast<double>(count);
-    while (s + 1 < kSlices && reached[s + 1] < wanted) {
-      ++s;
-    }
-    const double w = (wanted - reached[s]) / (reached[s + 1] - reached[s]);
-    levels.push_back(end * (static_cast<double>(s) + std::clamp(w, 0.0, 1.0)) /
-                     static_cast<double>(kSlices));
+    levels.push_back(
+        height.levelAt(height.total() * static_cast<double>(k) / static_cast<double>(count)));
   }
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
-}
-
-struct IsoField {
-  std::vector<double> values;  ///< 0 on the lower loop
-  double end = 1.0;            ///< value at the upper limit
-  std::optional<std::uint32_t> closure;
-};
-
-/// Open walls: conduction between the two borders (M18). Closing parts: distance from the border
-/// (M17).
-IsoField isoField(const Wall& wall, const JobContext& context) {
-  const geometry::PartSurface& part = *wall.part;
-  IsoField field;
-  if (wall.upper) {
-    field.values =
-        geometry::harmonicField(part.mesh, part.halfEdges,
-                                {{wall.limits.lower, 0.0}, {wall.limits.upper, 1.0}}, {}, context);
-    return field;
-  }
-  geometry::GeodesicSource source;
-  source.vertices = wall.limits.lower;
-  field.values = geometry::GeodesicSolver(part.mesh, part.halfEdges)
-                     .distance(source, std::numeric_limits<double>::infinity(), context);
-  field.end = -1.0;
-  for (std::uint32_t v = 0; v < field.values.size(); ++v) {
-    if (std::isfinite(field.values[v]) && field.values[v] > field.end) {
-      field.end = field.values[v];
-      field.closure = v;
-    }
-  }
-  if (!(field.end > 0.0)) {
-    throw Error(ErrorCode::JobFailed, "the distance from the border vanishes everywhere",
-                "continuous spiral", "check that the part is a surface with a lower border");
-  }
-  return field;
 }
 
 [[noreturn]] void refuseBranches(double level,
@@ -179,7 +107,7 @@ IsoField isoField(const Wall& wall, const JobContext& context) {
 
 /// The level curves of a field, lowest first, all in the direction of travel.
 std::vector<Loop> levelLoops(const Wall& wall,
-                             const IsoField& field,
+                             const WallField& field,
                              const std::vector<double>& levels,
                              const JobContext& context) {
   const geometry::PartSurface& part = *wall.part;
@@ -237,12 +165,12 @@ Generatrices decomposeByIsoValues(const Wall& wall,
                                   const GeneratrixOptions& options,
                                   const JobContext& context) {
   const geometry::PartSurface& part = *wall.part;
-  const IsoField field = isoField(wall, context.portion(0.0, 0.4, "field"));
+  const WallField field = wallField(part, wall.limits, context.portion(0.0, 0.4, "field"));
   // Chords of a generatrix between levels half a step apart cut the arc by less than the step's own
   // chord does.
   constexpr double kLevelsPerStep = 2.0;
   const std::vector<double> levels =
-      evenLevels(part.mesh, field.values, field.end, options.step / kLevelsPerStep);
+      evenLevels(MeanHeight(part.mesh, field.values, field.end), options.step / kLevelsPerStep);
   std::vector<Loop> loops = levelLoops(wall, field, levels, context.portion(0.4, 0.7, "levels"));
   if (loops.empty()) {
     throw Error(ErrorCode::JobFailed, "the part is lower than one layer", "continuous spiral",

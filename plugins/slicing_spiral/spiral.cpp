@@ -20,9 +20,12 @@ using toolpath::SpiralStart;
 
 enum class Infeasible { Refuse, Report };
 
+enum class Form { Generatrices, Field };
+
 enum class BorderEnd { Mirrored, Literal };
 
 struct Params {
+  Form form = Form::Generatrices;
   Length step = 2.0_mm;
   Length heightMin = 0.0_mm;
   Length heightMax = 0.0_mm;
@@ -138,6 +141,15 @@ void addEnds(Schema<Params>& schema) {
 
 void addDecomposition(Schema<Params>& schema) {
   schema
+      .add(
+          &Params::form,
+          {.key = "form",
+           .label = "Form",
+           .help = "Generatrices modulate the height along curves from border to border (Diourté); "
+                   "the level set follows one field and needs no points per revolution.",
+           .group = "Decomposition",
+           .choices = {{"generatrices", "Points on generatrices"},
+                       {"field", "Level set of a field"}}})
       .add(&Params::decomposition,
            {.key = "decomposition",
             .label = "Decomposition",
@@ -312,6 +324,10 @@ public:
         geometry::refineSurface(part, edge, context.portion(0.0, 0.3, "refinement"));
     const toolpath::WallLimits limits = limitsOf(fine, *input.substrate);
     const toolpath::SpiralWish wish = wishOf(params, limits);
+    if (params.form == Form::Field) {
+      return toolpath::spiralOnField(fine, limits, wish, input.sampling,
+                                     context.portion(0.3, 1.0, "spiral"));
+    }
     toolpath::GeneratrixOptions options;
     options.method = params.decomposition;
     options.up = input.substrate->up();

@@ -22,4 +22,19 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
                          const SpiralWish& wish,
                          const JobContext& context);
 
+/// The spiral as one level set: of φ − (turn fraction), φ the mean height above the lower border in
+/// a field that follows both limits, the turn fraction a field that grows from 0 to 1 around the
+/// wall. Curves end and begin at the same point of the cut where the fraction jumps, so that
+/// nothing is linked. Points lie on the mesh's edges (of CAD parts: moved onto the exact surface),
+/// heights are step/|∇φ|.
+///
+/// Against generatrices it needs no points per revolution and follows the field itself; the number
+/// of revolutions is that of the mean generatrix.
+/// @throws Error(JobFailed) as decomposeWall and planSpiral
+SlicedLayers spiralOnField(const geometry::PartSurface& part,
+                           const WallLimits& limits,
+                           const SpiralWish& wish,
+                           const Sampling& sampling,
+                           const JobContext& context);
+
 }  // namespace wcam::toolpath
