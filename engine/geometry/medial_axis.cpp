@@ -170,7 +170,7 @@ private:
     if (!(options_.leastTurn > 0.0)) {
       return;
     }
-    widest_ = componentCentres();
+    findComponents();
     std::vector<std::uint32_t> open;
     for (std::uint32_t n = 0; n < degree_.size(); ++n) {
       if (degree_[n] == 1) {
@@ -199,39 +199,39 @@ private:
   }
 
   /// Per connected piece the widest point: what is left where everything is pruned (a disc).
-  std::vector<std::pair<std::vector<std::uint32_t>, AxisPoint>> componentCentres() const {
-    std::vector<std::pair<std::vector<std::uint32_t>, AxisPoint>> result;
-    std::vector<char> seen(edges_.size(), 0);
+  void findComponents() {
+    constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+    component_.assign(edges_.size(), kNone);
     for (std::uint32_t first = 0; first < edges_.size(); ++first) {
-      if (seen[first] != 0) {
+      if (component_[first] != kNone) {
         continue;
       }
+      const auto index = static_cast<std::uint32_t>(widest_.size());
+      widest_.emplace_back();
       std::vector<std::uint32_t> members{first};
-      AxisPoint widest;
-      seen[first] = 1;
+      component_[first] = index;
       for (std::size_t k = 0; k < members.size(); ++k) {
         const Edge& edge = edges_[members[k]];
         for (const AxisPoint& p : edge.points) {
-          if (p.radius > widest.radius) {
-            widest = p;
+          if (p.radius > widest_[index].radius) {
+            widest_[index] = p;
           }
         }
         for (const std::uint32_t n : {edge.from, edge.to}) {
           for (const std::uint32_t e : at_[n]) {
-            if (seen[e] == 0) {
-              seen[e] = 1;
+            if (component_[e] == kNone) {
+              component_[e] = index;
               members.push_back(e);
             }
           }
         }
       }
-      result.emplace_back(std::move(members), widest);
     }
-    return result;
   }
 
   std::vector<AxisBranch> branches() {
     std::vector<AxisBranch> result;
+    std::vector<std::uint32_t> firstEdge;
     std::vector<char> used(edges_.size(), 0);
     for (int pass = 0; pass < 2; ++pass) {  // open branches, then rings without a junction
       for (std::uint32_t n = 0; n < degree_.size(); ++n) {
@@ -240,19 +240,28 @@ private:
         }
         for (const std::uint32_t e : at_[n]) {
           if (edges_[e].alive && used[e] == 0) {
+            firstEdge.push_back(e);
             result.push_back(walk(n, e, used));
           }
         }
       }
     }
-    std::erase_if(result, [&](const AxisBranch& branch) {
-      return (branch.freeStart || branch.freeEnd) && lengthOf(branch) <= options_.tolerance;
-    });
-    for (const auto& [members, widest] : widest_) {
-      const bool left = std::any_of(members.begin(), members.end(),
-                                    [&](std::uint32_t e) { return edges_[e].alive; });
-      if (!left) {
-        result.push_back({{widest}, false, true, true});
+    std::vector<char> left(widest_.size(), 0);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const bool free = result[i].freeStart || result[i].freeEnd;
+      if (free && lengthOf(result[i]) <= options_.tolerance) {
+        continue;
+      }
+      if (!left.empty()) {
+        left[component_[firstEdge[i]]] = 1;
+      }
+      std::swap(result[kept++], result[i]);
+    }
+    result.resize(kept);
+    for (std::size_t c = 0; c < left.size(); ++c) {
+      if (left[c] == 0) {
+        result.push_back({{widest_[c]}, false, true, true});
       }
     }
     for (AxisBranch& branch : result) {
@@ -400,7 +409,8 @@ private:
   std::vector<Edge> edges_;
   std::vector<int> degree_;
   std::vector<std::vector<std::uint32_t>> at_;
-  std::vector<std::pair<std::vector<std::uint32_t>, AxisPoint>> widest_;
+  std::vector<std::uint32_t> component_;  ///< per edge
+  std::vector<AxisPoint> widest_;         ///< per component
 };
 
 }  // namespace
