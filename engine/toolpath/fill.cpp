@@ -246,9 +246,19 @@ private:
       if (2.0 * piece.area() <= kRounding * spacing_ * piece.perimeter()) {
         continue;
       }
+      const std::size_t before = result_.beads.size();
       for (const AxisBranch& branch :
            geometry::medialAxis(piece, {kAxisTolerance * spacing_, kLeastTurn})) {
         layOnAxis(branch, level);
+      }
+      if (result_.beads.size() == before) {
+        // A square or round place has an axis too short for a bead, but may take a small contour.
+        for (const Polyline2& loop :
+             geometry::offsetRegion(piece, -0.5 * spacing_, offset_).loops) {
+          if (geometry::polylineLength(loop, true) >= o_.minLength) {
+            result_.beads.push_back({loop, {}, true, BeadFeature::Inset, level});
+          }
+        }
       }
     }
   }

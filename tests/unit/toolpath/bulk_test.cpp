@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/parallel.hpp"
+#include "wcam/geometry/polygon2d.hpp"
+#include "wcam/io/import.hpp"
+
+#include "error_matchers.hpp"
+#include "random_source.hpp"
+#include "sample_meshes.hpp"
+#include "slicing_fixture.hpp"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace wcam::test {
+namespace {
+
+using geometry::Vec3;
+using toolpath::BeadFeature;
+using toolpath::Contour;
+using toolpath::SlicedLayers;
+
+constexpr const char* kBulk = "wcam.slicing.bulk";
+
+plugin::SliceInput inputOf(std::shared_ptr<const geometry::PartSurface> part, double plateZ = 0.0) {
+  plugin::SliceInput input;
+  input.parts = {std::move(part)};
+  input.substrate = plate(plateZ);
+  input.bead = {1.0, 4.0, 6.0};
+  return input;
+}
+
+std::shared_ptr<const geometry::PartSurface> box() {
+  return meshSurface(boxMesh(Vec3(-20, -20, 0), Vec3(20, 20, 10)));
+}
+
+std::shared_ptr<const geometry::PartSurface> imported(const std::string& file) {
+  return io::importPart(std::string(WCAM_TEST_DATA) + "/" + file, io::ImportOptions{},
+                        geometry::Pose::Identity(), JobContext())
+      .surface;
+}
+
+double lengthOf(const Contour& contour) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < contour.points.size(); ++i) {
+    length += (contour.points[i].p - contour.points[i - 1].p).norm();
+  }
+  return contour.closed ? length + (contour.points.front().p - contour.points.back().p).norm()
+                        : length;
+}
+
+/// What every strategy's layers fulfil: on the plane, sampled, n across the travel with t × n = up.
+void checkLayers(const SlicedLayers& sliced, double spacing) {
+  ASSERT_FALSE(sliced.layers.empty());
+  for (const auto& layer : sliced.layers) {
+    ASSERT_FALSE(layer.contours.empty());
+    for (const Contour& contour : layer.contours) {
+      const std::size_t n = contour.points.size();
+      ASSERT_GE(n, 2U);
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto& point = contour.points[i];
+        ASSERT_TRUE(point.p.allFinite());
+        ASSERT_NEAR(point.n.norm(), 1.0, 1e-9);
+        ASSERT_NEAR(point.n.dot(layer.up), 0.0, 1e-9);
+        if (i + 1 < n || contour.closed) {
+          const Vec3 d = contour.points[(i + 1) % n].p - point.p;
+          ASSERT_LE(d.norm(), spacing + 1e-9);
+          ASSERT_NEAR(d.dot(layer.up), 0.0, 1e-7);
+        }
+        if (i > 0 && i + 1 < n) {
+          const Vec3 t = (contour.points[i + 1].p - contour.points[i - 1].p);
+          if (t.norm() > 1e-6) {
+            ASSERT_GT(t.normalized().cross(point.n).dot(layer.up), -1e-6);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Bulk, BoxIsFilledInEveryLayer) {
+  const auto input = inputOf(box());
+  const JobContext context;
+  const SlicedLayers sliced = slice(kBulk, input, R"({"step": 2.0})", context);
+  ASSERT_EQ(sliced.layers.size(), 5U);
+  checkLayers(sliced, input.sampling.maxSpacing);
+  EXPECT_EQ(context.diagnostics().count("slicing.voids"), 0U);
+  EXPECT_EQ(context.diagnostics().count("slicing.overfill"), 0U);
+  for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
+    const auto& contours = sliced.layers[l].contours;
+    ASSERT_EQ(contours.size(), 2U);
+    EXPECT_EQ(contours[0].feature, BeadFeature::Wall);
+    EXPECT_NEAR(lengthOf(contours[0]), 4.0 * 34.0, 1e-6);
+    EXPECT_EQ(contours[1].feature, BeadFeature::Fill);
+    EXPECT_LT(contours[0].group, contours[1].group);
+    for (const Contour& contour : contours) {
+      for (const auto& point : contour.points) {
+        EXPECT_NEAR(point.p.z(), 2.0 * static_cast<double>(l + 1), 1e-12);
+        EXPECT_LE(point.p.head<2>().cwiseAbs().maxCoeff(), 17.0 + 1e-9);
+      }
+    }
+    // The lines turn by 90 degrees from layer to layer.
+    const auto& fill = contours[1].points;
+    const Vec3 d = (fill[1].p - fill[0].p).normalized();
+    EXPECT_NEAR(std::abs(l % 2 == 0 ? d.x() : d.y()), 1.0, 1e-9);
+  }
+  // The outer wall runs clockwise seen against the build direction, n outward.
+  const auto& wall = sliced.layers[0].contours[0].points;
+  for (const auto& point : wall) {
+    EXPECT_GT(point.n.dot(point.p - Vec3(0, 0, point.p.z())), 0.0);
+  }
+}
+
+TEST(Bulk, EveryPatternOnABoxBecomesAToolpath) {
+  const auto input = inputOf(box());
+  for (const char* pattern :
+       {"none", "raster", "zigzag", "contour", "spiral", "hybrid", "continuous", "medial"}) {
+    SCOPED_TRACE(pattern);
+    const JobContext context;
+    const SlicedLayers sliced = slice(
+        kBulk, input, R"({"step": 2.0, "pattern": ")" + std::string(pattern) + "\"}", context);
+    checkLayers(sliced, input.sampling.maxSpacing);
+    EXPECT_EQ(context.diagnostics().count("slicing.voids"), 0U);
+    const auto path = toolpath::buildToolpath(sliced, *input.substrate, {}, context);
+    ASSERT_EQ(path.layers.size(), 5U);
+    for (const auto& layer : path.layers) {
+      for (const auto& bead : layer.beads) {
+        for (const auto& point : bead.points) {
+          ASSERT_NEAR(point.b.dot(Vec3::UnitZ()), 1.0, 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST(Bulk, ResultDoesNotDependOnTriangleOrderOrThreads) {
+  const auto ordered = imported("ram/bridge.ply");
+  geometry::TriangleMesh mesh = ordered->mesh;
+  testing::RandomSource random(5);
+  for (std::size_t i = mesh.triangles.size(); i > 1; --i) {
+    std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(i)]);
+  }
+  const std::string params = R"({"step": 2.0, "pattern": "continuous", "bead_width": 3})";
+  const double z = ordered->mesh.bounds().min.z();
+  const SlicedLayers a = slice(kBulk, inputOf(ordered, z), params);
+  SlicedLayers b;
+  {
+    const ThreadLimit limit(1);
+    b = slice(kBulk, inputOf(meshSurface(mesh), z), params);
+  }
+  ASSERT_EQ(a.layers.size(), b.layers.size());
+  for (std::size_t l = 0; l < a.layers.size(); ++l) {
+    ASSERT_EQ(a.layers[l].contours.size(), b.layers[l].contours.size());
+    for (std::size_t c = 0; c < a.layers[l].contours.size(); ++c) {
+      const auto& p = a.layers[l].contours[c].points;
+      const auto& q = b.layers[l].contours[c].points;
+      ASSERT_EQ(p.size(), q.size());
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        ASSERT_NEAR((p[i].p - q[i].p).norm(), 0.0, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(Bulk, RealPartsAreFilledOrTheFindingSaysWhereNot) {
+  for (const char* file : {"ram/bridge.ply", "ram/inversed_pyramid.ply", "ram/dome.ply",
+                           "five_axis_slicer/supportless_sample.stp",
+                           "compas_slicer/distorted_a_closed_mid_res.stl"}) {
+    const auto part = imported(file);
+    const auto bounds = part->mesh.bounds();
+    const double size = bounds.diagonal();
+    auto input = inputOf(part, bounds.min.z());
+    // Small parts take a small bead.
+    input.bead.width = std::clamp(size / 20.0, 0.5, 6.0);
+    const double step = (bounds.max.z() - bounds.min.z()) / 8.0;
+    for (const char* pattern : {"zigzag", "spiral", "continuous", "medial"}) {
+      SCOPED_TRACE(std::string(file) + " " + pattern);
+      const JobContext context;
+      const SlicedLayers sliced =
+          slice(kBulk, input,
+                R"({"first_layer": 0.5, "open_sections": "bead", "pattern": ")" +
+                    std::string(pattern) + R"(", "step": )" + std::to_string(step) + "}",
+                context);
+      checkLayers(sliced, input.sampling.maxSpacing);
+      for (const Diagnostic& finding : context.diagnostics().items()) {
+        EXPECT_NE(finding.severity, Severity::Violation) << toLine(finding);
+      }
+    }
+  }
+}
+
+TEST(Bulk, SectionsThatAreNotClosedAreRefusedOrLaidAsBeads) {
+  // Half a tube: every section is an open arc.
+  geometry::TriangleMesh mesh = tubeMesh(20.0, 20.0, 60, 10);
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]).y() < 0.0;
+  });
+  const auto input = inputOf(meshSurface(mesh));
+  const std::string text = testing::errorOf(
+      ErrorCode::JobFailed, [&] { static_cast<void>(slice(kBulk, input, R"({"step": 2.0})")); });
+  EXPECT_NE(text.find("not closed"), std::string::npos) << text;
+  EXPECT_NE(text.find("layer 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("open_sections=bead"), std::string::npos) << text;
+  const JobContext context;
+  const SlicedLayers sliced =
+      slice(kBulk, input, R"({"step": 2.0, "open_sections": "bead"})", context);
+  EXPECT_EQ(sliced.layers.size(), 10U);
+  EXPECT_EQ(context.diagnostics().count("slicing.open_section"), 1U);
+  EXPECT_NEAR(lengthOf(sliced.layers[4].contours[0]), 20.0 * kPi, 3.0);
+}
+
+TEST(Bulk, OpenSurfaceWithClosedSectionsIsFilledAndSaid) {
+  const JobContext context;
+  const SlicedLayers sliced = slice(kBulk, inputOf(meshSurface(tubeMesh(20.0, 20.0, 100, 10))),
+                                    R"({"step": 2.0})", context);
+  EXPECT_EQ(sliced.layers.size(), 10U);
+  EXPECT_EQ(context.diagnostics().count("slicing.open_surface"), 1U);
+}
+
+TEST(Bulk, ThinWallsVoidsAndPilesAreFindings) {
+  const auto wall = inputOf(meshSurface(boxMesh(Vec3(-50, -1.75, 0), Vec3(50, 1.75, 4))));
+  const JobContext filled;
+  EXPECT_FALSE(slice(kBulk, wall, R"({"step": 2.0})", filled).layers.empty());
+  EXPECT_EQ(filled.diagnostics().count("slicing.narrow"), 2U);
+  testing::errorOf(ErrorCode::JobFailed, [&] {
+    static_cast<void>(slice(kBulk, wall, R"({"step": 2.0, "fill_narrow": false})"));
+  });
+  const auto seven = inputOf(meshSurface(boxMesh(Vec3(-50, -3.5, 0), Vec3(50, 3.5, 4))));
+  const JobContext piled;
+  EXPECT_FALSE(slice(kBulk, seven, R"({"step": 2.0})", piled).layers.empty());
+  EXPECT_EQ(piled.diagnostics().count("slicing.overfill"), 2U);
+  const JobContext holes;
+  EXPECT_FALSE(slice(kBulk, inputOf(box()), R"({"step": 2.0, "overlap": 1.0, "pattern": "raster",
+                                       "least_coverage": 0.999})",
+                     holes)
+                   .layers.empty());
+  const auto items = holes.diagnostics().items();
+  ASSERT_EQ(holes.diagnostics().count("slicing.voids"), 5U);
+  EXPECT_EQ(items[0].place.layer, 0);
+}
+
+TEST(Bulk, TiltedPlanesAreCutAtThePlate) {
+  const auto input = inputOf(meshSurface(boxMesh(Vec3(-20, -20, -10), Vec3(20, 20, 20))));
+  const SlicedLayers sliced =
+      slice(kBulk, input, R"({"step": 3.0, "custom_direction": true, "direction": [1, 0, 1]})");
+  checkLayers(sliced, input.sampling.maxSpacing);
+  double lowest = 1e9;
+  for (const auto& layer : sliced.layers) {
+    for (const Contour& contour : layer.contours) {
+      for (const auto& point : contour.points) {
+        lowest = std::min(lowest, point.p.z());
+      }
+    }
+  }
+  // The bead's half width stays above the plate, measured in the tilted plane.
+  EXPECT_GE(lowest, 3.0 * std::sqrt(0.5) - 0.05);
+}
+
+TEST(Bulk, RefusesAWidthOutsideItsRange) {
+  const std::string text = testing::errorOf(ErrorCode::InvalidArgument, [&] {
+    static_cast<void>(slice(kBulk, inputOf(box()), R"({"step": 2.0, "min_width": 20})"));
+  });
+  EXPECT_NE(text.find("6.00"), std::string::npos) << text;
+  EXPECT_NE(text.find("min_width"), std::string::npos) << text;
+}
+
+TEST(Bulk, SmallSectionsCanBeLeftOut) {
+  geometry::TriangleMesh mesh = boxMesh(Vec3(-20, -20, 0), Vec3(20, 20, 4));
+  const geometry::TriangleMesh small = boxMesh(Vec3(30, 0, 0), Vec3(40, 10, 4));
+  for (auto triangle : small.triangles) {
+    for (auto& v : triangle) {
+      v += static_cast<std::uint32_t>(mesh.vertices.size());
+    }
+    mesh.triangles.push_back(triangle);
+  }
+  mesh.vertices.insert(mesh.vertices.end(), small.vertices.begin(), small.vertices.end());
+  const auto input = inputOf(meshSurface(mesh));
+  const auto count = [&](const std::string& params) {
+    return slice(kBulk, input, params).layers[0].contours.size();
+  };
+  EXPECT_GT(count(R"({"step": 2.0})"), count(R"({"step": 2.0, "min_area": 150})"));
+}
+
+}  // namespace
+}  // namespace wcam::test
