@@ -144,6 +144,31 @@ std::vector<Loop> levelLoops(const Wall& wall,
   return loops;
 }
 
+}  // namespace
+
+WallLoops loopsOf(const Wall& wall, double spacing, const JobContext& context) {
+  const geometry::PartSurface& part = *wall.part;
+  const WallField field = wallField(part, wall.limits, context.portion(0.0, 0.6, "field"));
+  const std::vector<double> levels =
+      evenLevels(MeanHeight(part.mesh, field.values, field.end), spacing);
+  WallLoops result;
+  result.loops = levelLoops(wall, field, levels, context.portion(0.6, 1.0, "levels"));
+  if (result.loops.empty()) {
+    throw Error(ErrorCode::JobFailed, "the part is lower than one layer", "continuous spiral",
+                "choose a smaller step");
+  }
+  result.loops.insert(result.loops.begin(), orientedLike(wall.lower, result.loops.front()));
+  if (wall.upper) {
+    result.loops.push_back(orientedLike(*wall.upper, result.loops.back()));
+  }
+  if (field.closure) {
+    result.closure = part.mesh.vertices[*field.closure];
+  }
+  return result;
+}
+
+namespace {
+
 /// From a start on the first loop to the nearest point of each next one: arc lengths, and how long
 /// the way is (M19).
 std::pair<std::vector<double>, double> chainFrom(const std::vector<Loop>& loops, double start) {
@@ -164,22 +189,12 @@ std::pair<std::vector<double>, double> chainFrom(const std::vector<Loop>& loops,
 Generatrices decomposeByIsoValues(const Wall& wall,
                                   const GeneratrixOptions& options,
                                   const JobContext& context) {
-  const geometry::PartSurface& part = *wall.part;
-  const WallField field = wallField(part, wall.limits, context.portion(0.0, 0.4, "field"));
   // Chords of a generatrix between levels half a step apart cut the arc by less than the step's own
   // chord does.
   constexpr double kLevelsPerStep = 2.0;
-  const std::vector<double> levels =
-      evenLevels(MeanHeight(part.mesh, field.values, field.end), options.step / kLevelsPerStep);
-  std::vector<Loop> loops = levelLoops(wall, field, levels, context.portion(0.4, 0.7, "levels"));
-  if (loops.empty()) {
-    throw Error(ErrorCode::JobFailed, "the part is lower than one layer", "continuous spiral",
-                "choose a smaller step");
-  }
-  loops.insert(loops.begin(), orientedLike(wall.lower, loops.front()));
-  if (wall.upper) {
-    loops.push_back(orientedLike(*wall.upper, loops.back()));
-  }
+  const WallLoops wallLoops =
+      loopsOf(wall, options.step / kLevelsPerStep, context.portion(0.0, 0.7, "levels"));
+  const std::vector<Loop>& loops = wallLoops.loops;
   // Starts that compete for the principal generatrix.
   constexpr int kStarts = 48;
   std::vector<double> principal;
@@ -203,9 +218,9 @@ Generatrices decomposeByIsoValues(const Wall& wall,
     }
   }
   Generatrices result;
-  if (field.closure) {
+  if (wallLoops.closure) {
     result.closes = true;
-    result.closure = part.mesh.vertices[*field.closure];
+    result.closure = *wallLoops.closure;
     for (std::vector<Vec3>& curve : curves) {
       curve.push_back(result.closure);
     }

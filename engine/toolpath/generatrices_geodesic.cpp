@@ -5,7 +5,6 @@
 #include "wcam/base/parallel.hpp"
 #include "wcam/geometry/geodesic.hpp"
 
-#include "generatrix_coverage.hpp"
 #include "wall_decomposition.hpp"
 
 #include <algorithm>
@@ -86,43 +85,93 @@ std::vector<MeshPoint> startPoints(const Wall& wall, std::size_t count) {
   return starts;
 }
 
-/// Inserts medians until no vertex lies farther than `coverage` from a strip (M14).
+/// A curve by its places on the level curves of the wall: arc length on each in parts of its
+/// length, followed from level to level without a jump.
+struct PlacedCurve {
+  Generatrix curve;
+  std::vector<double> places;
+};
+
+/// How far the next curve is ahead on a level, in parts of the loop: little on the lowest, where
+/// curves start in order, and from there on what both have drifted.
+double ahead(const PlacedCurve& from, const PlacedCurve& to, std::size_t level) {
+  // Starts that touch may stand in reverse order by rounding.
+  constexpr double kReversed = 0.75;
+  const double apart = to.places.front() - from.places.front();
+  const double start = apart - std::floor(apart);
+  return (start > kReversed ? start - 1.0 : start) + (to.places[level] - to.places.front()) -
+         (from.places[level] - from.places.front());
+}
+
+std::vector<double> placesOf(const Generatrix& curve, const WallLoops& levels) {
+  std::vector<double> places;
+  const auto last = static_cast<double>(levels.loops.size() - (levels.closure ? 0 : 1));
+  for (std::size_t k = 0; k < levels.loops.size(); ++k) {
+    const Loop& loop = levels.loops[k];
+    const double place =
+        loop.nearest(curve.at(static_cast<double>(k) / last * curve.length())) / loop.length();
+    places.push_back(k > 0 ? place + std::round(places.back() - place) : place);
+  }
+  return places;
+}
+
+/// The curve half way between two others on every level. Halving on the surface also fills gaps as
+/// wide as half the part, where the mean of two points lies inside it.
+PlacedCurve median(const WallLoops& levels, const PlacedCurve& a, const PlacedCurve& b) {
+  std::vector<Vec3> points;
+  std::vector<double> places;
+  for (std::size_t k = 0; k < levels.loops.size(); ++k) {
+    places.push_back(a.places[k] + 0.5 * ahead(a, b, k));
+    points.push_back(levels.loops[k].at(places.back() * levels.loops[k].length()));
+  }
+  if (levels.closure) {
+    points.push_back(*levels.closure);
+  }
+  return {Generatrix(std::move(points)), std::move(places)};
+}
+
+double widestGap(const WallLoops& levels, const PlacedCurve& a, const PlacedCurve& b) {
+  double widest = 0.0;
+  for (std::size_t k = 0; k < levels.loops.size(); ++k) {
+    widest = std::max(widest, ahead(a, b, k) * levels.loops[k].length());
+  }
+  return widest;
+}
+
+/// Inserts medians until no gap between neighbours is wider than `coverage` (M14, with the width of
+/// the gap on the surface as its measure).
 void fillGaps(Generatrices& result,
-              const Wall& wall,
+              const WallLoops& levels,
               double coverage,
-              double spacing,
               const JobContext& context) {
-  // Each round halves the gaps; more rounds than this mean that a median cannot get nearer.
-  constexpr int kRounds = 12;
+  // Each round halves the gaps.
+  constexpr int kRounds = 16;
+  std::vector<PlacedCurve> curves;
+  for (Generatrix& curve : result.curves) {
+    std::vector<double> places = placesOf(curve, levels);
+    curves.push_back({std::move(curve), std::move(places)});
+  }
+  const std::size_t before = curves.size();
   for (int round = 0; round < kRounds; ++round) {
     context.check();
-    const std::vector<StripGap> gaps = stripGaps(wall.part->mesh, result.curves, spacing);
-    std::vector<Generatrix> filled;
-    for (std::size_t i = 0; i < result.curves.size(); ++i) {
-      const Generatrix& here = result.curves[i];
-      filled.push_back(here);
-      if (gaps[i].distance <= coverage) {
-        continue;
+    std::vector<PlacedCurve> filled;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const PlacedCurve& next = curves[(i + 1) % curves.size()];
+      filled.push_back(curves[i]);
+      if (widestGap(levels, curves[i], next) > coverage) {
+        filled.push_back(median(levels, curves[i], next));
       }
-      const Generatrix& next = result.curves[(i + 1) % result.curves.size()];
-      const auto rows = static_cast<std::size_t>(
-          std::max(2.0, std::ceil(std::max(here.length(), next.length()) / spacing)));
-      std::vector<Vec3> median;
-      for (std::size_t r = 0; r <= rows; ++r) {
-        const double w = static_cast<double>(r) / static_cast<double>(rows);
-        median.push_back(0.5 * (here.at(w * here.length()) + next.at(w * next.length())));
-      }
-      std::vector<Vec3> points;
-      for (const geometry::ProjectedPoint& point : wall.projector->project(median, context)) {
-        points.push_back(point.p);
-      }
-      filled.emplace_back(std::move(points));
-      ++result.filled;
     }
-    if (filled.size() == result.curves.size()) {
-      return;
+    const bool done = filled.size() == curves.size();
+    curves = std::move(filled);
+    if (done) {
+      break;
     }
-    result.curves = std::move(filled);
+  }
+  result.filled = curves.size() - before;
+  result.curves.clear();
+  for (PlacedCurve& placed : curves) {
+    result.curves.push_back(std::move(placed.curve));
   }
 }
 
@@ -189,8 +238,17 @@ Generatrices decomposeByGeodesics(const Wall& wall,
     }
     result.curves.emplace_back(std::move(points));
   }
-  const double coverage = options.coverage > 0.0 ? options.coverage : options.step;
-  fillGaps(result, wall, coverage, 0.5 * options.step, context.portion(0.6, 1.0, "filling"));
+  // Neighbours spread and close up along a part of varying section; a gap is far wider than that.
+  constexpr double kGap = 3.0;
+  double around = 0.0;
+  for (const Loop& limit : limits) {
+    around = std::max(around, limit.length());
+  }
+  const double coverage = options.coverage > 0.0
+                              ? options.coverage
+                              : std::max(options.step, kGap * around / static_cast<double>(count));
+  const WallLoops levels = loopsOf(wall, options.step, context.portion(0.6, 0.9, "levels"));
+  fillGaps(result, levels, coverage, context);
   return result;
 }
 

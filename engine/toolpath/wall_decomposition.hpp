@@ -34,6 +34,17 @@ Loop orientedLike(Loop loop, const Loop& reference);
 /// passed.
 std::size_t curveCount(const std::vector<Loop>& loops, const Sampling& sampling);
 
+/// Level curves of a field that follows both limits, all in the direction of travel: the lower
+/// limit, the levels, the upper limit of an open wall.
+struct WallLoops {
+  std::vector<Loop> loops;
+  std::optional<Vec3> closure;  ///< of a part that closes
+};
+
+/// @param spacing mean distance of neighbouring loops, mm
+/// @throws Error(JobFailed) when a level is not one closed curve
+WallLoops loopsOf(const Wall& wall, double spacing, const JobContext& context);
+
 Generatrices decomposeByIsoValues(const Wall& wall,
                                   const GeneratrixOptions& options,
                                   const JobContext& context);

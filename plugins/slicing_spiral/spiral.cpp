@@ -168,8 +168,9 @@ void addDecomposition(Schema<Params>& schema) {
       .add(&Params::coverage,
            {.key = "coverage",
             .label = "Coverage",
-            .help = "Greatest distance of the surface to the curves before one is added; 0 takes "
-                    "the mean deposit.",
+            .help =
+                "Greatest gap between neighbouring shortest paths before a curve is added; 0 takes "
+                "three times their mean distance.",
             .group = "Decomposition",
             .level = ParamLevel::Expert,
             .min = 0.0,
