@@ -230,7 +230,8 @@ double hausdorff(const std::vector<Nested>& all, const std::vector<Region2>& sli
 bool runCase(const char* name,
              const std::vector<Region2>& slices,
              CornerJoin join,
-             ClipperLib::JoinType clipperJoin) {
+             ClipperLib::JoinType clipperJoin,
+             int repetitions) {
   std::size_t vertices = 0;
   for (const Region2& slice : slices) {
     vertices += slice.pointCount();
