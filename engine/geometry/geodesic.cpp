@@ -35,6 +35,11 @@ constexpr double kOneSource = 0.95;
 /// A way along an edge and one beside it that differ by less than this part of the step are one
 /// wave.
 constexpr double kGraze = 0.005;
+/// A ray may pass an end of the edge by this part of its length; the distance is then at most 1e-4
+/// edges too small.
+constexpr double kBeside = 0.01;
+/// Vertices of the queue whose data is fetched while others are visited.
+constexpr std::size_t kAhead = 4;
 /// Visits between two looks at the request to cancel.
 constexpr std::size_t kVisitsPerCheck = 1 << 16;
 
@@ -71,6 +76,12 @@ struct Arrival {
   Wave wave;
 };
 
+/// Whether a place on the edge is beyond its ends, 0 and `end`. A ray that grazes an end still
+/// counts as crossing: beside a border it is the only one there is.
+bool outside(double place, double end) {
+  return place < -kBeside * end || place > (1.0 + kBeside) * end;
+}
+
 /// Distance of c from the source of which a and b know distance and front: the source is unfolded
 /// into the plane of the triangle, where its distances to a and b differ like theirs.
 Arrival cross(const Wave& a, const Wave& b, const Triangle& t) {
@@ -87,7 +98,7 @@ Arrival cross(const Wave& a, const Wave& b, const Triangle& t) {
     const double sine = std::sqrt(across);
     // Times the edge's length: the way along the front's normal.
     const double low = t.x * sine + difference * t.twiceArea;
-    if (low < 0.0 || low > t.square * sine) {
+    if (outside(low, t.square * sine)) {
       arrival.entry = low < 0.0 ? Entry::BeyondA : Entry::BeyondB;
       return arrival;
     }
@@ -117,7 +128,7 @@ Arrival cross(const Wave& a, const Wave& b, const Triangle& t) {
   const double span = r < 0.0 ? sourceY - t.twiceArea : t.twiceArea - sourceY;
   const double low =
       r < 0.0 ? t.x * sourceY - sourceX * t.twiceArea : sourceX * t.twiceArea - t.x * sourceY;
-  if (low < 0.0 || low > t.square * span) {
+  if (outside(low, t.square * span)) {
     arrival.entry = low < 0.0 ? Entry::BeyondA : Entry::BeyondB;
     return arrival;
   }
@@ -171,6 +182,12 @@ public:
       // Visits may add to the bucket.
       for (std::size_t i = 0; i < bucket.size(); ++i) {
         const std::uint32_t v = bucket[i];
+        if (i + 2 * kAhead < bucket.size()) {
+          mesh_.prefetchCorners(bucket[i + 2 * kAhead]);
+        }
+        if (i + kAhead < bucket.size()) {
+          mesh_.prefetchTriangles(bucket[i + kAhead]);
+        }
         if (waiting_[v] != 0) {
           waiting_[v] = 0;
           visit(v);
@@ -224,8 +241,12 @@ private:
     const Wave& from = waves_[a];
     const Wave& beside = waves_[b];
     const double before = waves_[c].distance;
-    if (beside.distance == kInfinity) {
-      along(a, c, ac, before);
+    // What comes through the edge is not nearer than both of its ends.
+    if (before <= std::min(from.distance, beside.distance)) {
+      return;
+    }
+    if (waiting_[b] != 0 || beside.distance == kInfinity) {
+      along(a, c, ac, before);  // through the edge when b is visited
       return;
     }
     const Arrival arrival = cross(from, beside, t);

@@ -23,6 +23,8 @@ constexpr double kWeightSlack = 1e-6;
 constexpr double kCornerTurn = 0.35;
 /// A front that converges counts as straight from half its radius on.
 constexpr double kLeastGrowth = 0.5;
+/// Triangles that are unfolded one beyond the other around the source.
+constexpr std::size_t kSeedDepth = 3;
 
 [[noreturn]] void throwOffMesh(const std::string& what) {
   throw Error(ErrorCode::InvalidArgument,
@@ -65,17 +67,10 @@ public:
 
   void addPoint(const MeshPoint& point) {
     check(point);
-    const Vec3 p = position(mesh_, point);
-    for (const std::uint32_t v : mesh_.triangles[point.triangle]) {
-      const double d = (mesh_.vertices[v] - p).norm();
-      seeds_.push_back({v, d, d, d == 0.0});
-    }
+    const CurvePlace place{position(mesh_, point), Vec3::Zero(), true};
     // On an edge or at a corner the neighbours see the point as well.
     for (const std::uint32_t t : trianglesAt(point)) {
-      for (const std::uint32_t v : mesh_.triangles[t]) {
-        const double d = (mesh_.vertices[v] - p).norm();
-        seeds_.push_back({v, d, d, d == 0.0});
-      }
+      seedCorners(t, place, place);
     }
   }
 
@@ -123,6 +118,12 @@ public:
       const bool single = range.second - range.first == 1;
       addEdgeEnd(h, single ? range.first->second : kNone);
       seeds_.push_back({startOf(h), 0.0, kStraightFront});
+      const CurvePlace from{mesh_.vertices[startOf(h)], Vec3::Zero(), false};
+      const CurvePlace to{mesh_.vertices[endOf(h)], Vec3::Zero(), false};
+      if (halfEdges_.twin(h) != kNone) {
+        seedCorners(h / 3, from, to);
+        seedCorners(halfEdges_.twin(h) / 3, from, to);
+      }
       ends.push_back(endOf(h));
     }
     // A chain of edges begins with a corner, too.
@@ -219,22 +220,103 @@ private:
     }
   }
 
-  /// Distance of the corners of a triangle to a segment in it.
+  /// Distance of the corners of a triangle to a segment in it, and of the corners beyond its edges
+  /// to which straight ways lead: where the intrinsic mesh is another one, its triangles need them.
   void seedCorners(std::uint32_t t, const CurvePlace& from, const CurvePlace& to) {
-    const Vec3 segment = to.p - from.p;
-    const double square = segment.squaredNorm();
-    for (const std::uint32_t v : mesh_.triangles[t]) {
-      const Vec3 offset = mesh_.vertices[v] - from.p;
-      const double along = square > 0.0 ? offset.dot(segment) / square : 0.0;
-      const double w = std::clamp(along, 0.0, 1.0);
-      const Vec3 way = offset - w * segment;
-      const double d = way.norm();
-      const bool besideEnd = along < 0.0 ? from.corner : along > 1.0 && to.corner;
-      const Vec3 curvature = (1.0 - w) * from.curvature + w * to.curvature;
-      const double bend = d > 0.0 ? -curvature.dot(way) / d : 0.0;
-      const bool atEnd = (w == 0.0 && from.corner) || (w == 1.0 && to.corner);
-      seeds_.push_back({v, d, besideEnd ? d : frontRadius(bend, d), d == 0.0 && atEnd});
+    const auto& corners = mesh_.triangles[t];
+    const Vec3& origin = mesh_.vertices[corners[0]];
+    const Vec3 edge = mesh_.vertices[corners[1]] - origin;
+    const Vec3 n = edge.cross(Vec3(mesh_.vertices[corners[2]] - origin));
+    const double length = edge.norm();
+    const double twiceArea = n.norm();
+    const bool flat = length > 0.0 && twiceArea > 0.0;
+    const Vec3 x = flat ? Vec3(edge / length) : Vec3(Vec3::UnitX());
+    const Vec3 y = flat ? Vec3((n / twiceArea).cross(x)) : Vec3(Vec3::UnitY());
+    const auto lay = [&](const Vec3& v) { return Vec2(x.dot(v), y.dot(v)); };
+    Segment segment{lay(from.p - origin), lay(to.p - origin), lay(from.curvature),
+                    lay(to.curvature),    from.corner,        to.corner};
+    std::array<Vec2, 3> places;
+    for (std::size_t c = 0; c < 3; ++c) {
+      places[c] = lay(mesh_.vertices[corners[c]] - origin);
+      seedVertex(corners[c], places[c], segment, {});
     }
+    if (!flat) {
+      return;
+    }
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      std::vector<std::array<Vec2, 2>> gates{{places[c], places[(c + 1) % 3]}};
+      seedBeyond(3 * t + c, segment, gates);
+    }
+  }
+
+  /// A piece of the source laid flat.
+  struct Segment {
+    Vec2 from, to;
+    Vec2 curvatureFrom, curvatureTo;
+    bool cornerFrom, cornerTo;
+  };
+
+  /// @param gates edges (right end, left end) through which the way must go
+  /// @return whether a straight way leads there
+  bool seedVertex(std::uint32_t v,
+                  const Vec2& place,
+                  const Segment& segment,
+                  const std::vector<std::array<Vec2, 2>>& gates) {
+    const Vec2 chord = segment.to - segment.from;
+    const Vec2 offset = place - segment.from;
+    const double square = chord.squaredNorm();
+    const double along = square > 0.0 ? offset.dot(chord) / square : 0.0;
+    const double w = std::clamp(along, 0.0, 1.0);
+    const Vec2 way = offset - w * chord;
+    const Vec2 foot = segment.from + w * chord;
+    const auto side = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
+    for (const auto& gate : gates) {
+      if (side(way, gate[0] - foot) * side(way, gate[1] - foot) > 0.0) {
+        return false;
+      }
+    }
+    const double d = way.norm();
+    const bool besideEnd = square == 0.0 ? segment.cornerFrom
+                           : along < 0.0 ? segment.cornerFrom
+                                         : along > 1.0 && segment.cornerTo;
+    const Vec2 curvature = (1.0 - w) * segment.curvatureFrom + w * segment.curvatureTo;
+    const double bend = d > 0.0 ? -curvature.dot(way) / d : 0.0;
+    const bool atEnd = (w == 0.0 && segment.cornerFrom) || (w == 1.0 && segment.cornerTo);
+    seeds_.push_back({v, d, besideEnd ? d : frontRadius(bend, d), d == 0.0 && atEnd});
+    return true;
+  }
+
+  /// Unfolds the triangle beyond a half-edge, whose place is the last gate.
+  void seedBeyond(std::uint32_t h,
+                  const Segment& segment,
+                  std::vector<std::array<Vec2, 2>>& gates) {
+    const std::uint32_t twin = halfEdges_.twin(h);
+    if (twin == kNone || gates.size() > kSeedDepth) {
+      return;
+    }
+    const auto [a, b] = gates.back();
+    const std::uint32_t apex = mesh_.triangles[twin / 3][(twin % 3 + 2) % 3];
+    const Vec3& pa = mesh_.vertices[startOf(h)];
+    const Vec3 edge = mesh_.vertices[endOf(h)] - pa;
+    const Vec3 offset = mesh_.vertices[apex] - pa;
+    const double square = edge.squaredNorm();
+    if (!(square > 0.0)) {
+      return;
+    }
+    const double along = offset.dot(edge) / square;
+    const double height = edge.cross(offset).norm() / square;
+    const Vec2 flat = b - a;
+    // The triangle lies on the right of its neighbour's edge.
+    const Vec2 place = a + along * flat + height * Vec2(flat.y(), -flat.x());
+    seedVertex(apex, place, segment, gates);
+    // The twin runs from b to a, then to the apex.
+    const std::uint32_t second = twin - twin % 3 + (twin % 3 + 1) % 3;
+    const std::uint32_t third = twin - twin % 3 + (twin % 3 + 2) % 3;
+    gates.push_back({a, place});
+    seedBeyond(second, segment, gates);
+    gates.back() = {place, b};
+    seedBeyond(third, segment, gates);
+    gates.pop_back();
   }
 
   /// Radius of a front at distance d from a curve of this curvature.

@@ -32,6 +32,28 @@ std::array<double, 2> oppositeAngle(const FlatTriangle& t, std::uint32_t c) {
   return {t.twiceArea, t.dotAt((c + 2) % 3)};
 }
 
+/// Angle of the vector (x, y), y ≥ 0, rad: within 1e-10, several times as fast as std::atan2, and
+/// the same with every mathematical library.
+double angleOf(double y, double x) {
+  constexpr double kTanEighth = 0.41421356237309503;  // of a half right angle's half
+  const double flat = std::abs(x);
+  const double least = std::min(flat, y);
+  const double most = std::max(flat, y);
+  const bool steep = least > kTanEighth * most;
+  const double numerator = steep ? least - most : least;
+  const double denominator = steep ? least + most : most;
+  const double t = denominator > 0.0 ? numerator / denominator : 0.0;
+  const double z = t * t;
+  // The arc tangent's series up to t^21, which leaves 7e-11 at tan(π/8).
+  double sum = 0.0;
+  for (int k = 10; k >= 0; --k) {
+    sum = (k % 2 == 0 ? 1.0 : -1.0) / (2 * k + 1) + z * sum;
+  }
+  const double first = t * sum + (steep ? 0.25 * kPi : 0.0);
+  const double quarter = y > flat ? 0.5 * kPi - first : first;
+  return x < 0.0 ? kPi - quarter : quarter;
+}
+
 /// Sine of the sum of two angles given by their products; the sum exceeds 180° where it is
 /// negative.
 double sineOfSum(const std::array<double, 2>& a, const std::array<double, 2>& b) {
@@ -188,8 +210,10 @@ void IntrinsicMesh::flipSlivers(const HalfEdges& halfEdges) {
     }
     const auto a = oppositeAngle(triangles_[h / 3], h % 3);
     const auto b = oppositeAngle(triangles_[other / 3], other % 3);
+    const double sine = a[0] * b[1] + a[1] * b[0];
     // Nearly all edges end here.
-    if (a[0] * b[1] + a[1] * b[0] < 0.0 && sineOfSum(a, b) < -kSliverSine) {
+    if (sine < 0.0 && sine * sine > kSliverSine * kSliverSine * (a[0] * a[0] + a[1] * a[1]) *
+                                        (b[0] * b[0] + b[1] * b[1])) {
       flips_ = IntrinsicFlipper(triangles_, halfEdges).run();
       return;
     }
@@ -231,8 +255,8 @@ void IntrinsicMesh::findCurvature(const HalfEdges& halfEdges, const TriangleMesh
 
   std::vector<Cell> cells(vertexCount());
   for (const FlatTriangle& t : triangles_) {
-    const double first = std::atan2(t.twiceArea, t.dotAt(0));
-    const double second = std::atan2(t.twiceArea, t.dotAt(1));
+    const double first = angleOf(t.twiceArea, t.dotAt(0));
+    const double second = angleOf(t.twiceArea, t.dotAt(1));
     const std::array<double, 3> angle = {first, second, kPi - first - second};
     const double third = t.twiceArea / 6.0;
     for (std::size_t c = 0; c < 3; ++c) {

@@ -42,6 +42,16 @@ public:
     return corners_.data() + firstCorner_[v + 1];
   }
 
+  /// Tells the processor that the list of corners at a vertex is wanted soon.
+  void prefetchCorners(std::uint32_t v) const { __builtin_prefetch(cornersBegin(v)); }
+
+  /// The same for the triangles around it.
+  void prefetchTriangles(std::uint32_t v) const {
+    for (const std::uint32_t* it = cornersBegin(v); it != cornersEnd(v); ++it) {
+      __builtin_prefetch(&triangles_[*it / 3]);
+    }
+  }
+
   /// Gaussian curvature at a vertex of a smooth surface, 1/mm²; 0 on borders and at corners.
   [[nodiscard]] double curvature(std::uint32_t v) const { return curvature_[v]; }
 
