@@ -259,7 +259,7 @@ TEST(Bulk, TiltedPlanesAreCutAtThePlate) {
 }
 
 TEST(Bulk, RefusesAWidthOutsideItsRange) {
-  const std::string text = testing::errorOf(ErrorCode::InvalidArgument, [&] {
+  const std::string text = testing::errorOf(ErrorCode::JobFailed, [&] {
     static_cast<void>(slice(kBulk, inputOf(box()), R"({"step": 2.0, "min_width": 20})"));
   });
   EXPECT_NE(text.find("6.00"), std::string::npos) << text;

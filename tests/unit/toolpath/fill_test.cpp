@@ -223,7 +223,7 @@ TEST_P(EveryPattern, DoesNotDependOnStartOrOrderOfTheLoops) {
 INSTANTIATE_TEST_SUITE_P(Fill,
                          EveryPattern,
                          ::testing::Range<std::size_t>(0, kPatterns.size()),
-                         [](const auto& info) { return kPatterns[info.param].second; });
+                         [](const auto& test) { return kPatterns[test.param].second; });
 
 TEST(Fill, LinesLieExactlyAtTheOverlapDistance) {
   const Region2 square = shapes()[0].area;
