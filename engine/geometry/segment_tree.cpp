@@ -20,13 +20,17 @@ constexpr std::size_t kStack = 64;
 double squaredDistanceToBox(const Vec3& p, const Box& box) {
   return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).squaredNorm();
 }
+
+/// Part of the way from a to b of the point nearest to p.
+double footOn(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length2 = ab.squaredNorm();
+  return length2 > 0.0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+}
 }  // namespace
 
 double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 ab = b - a;
-  const double length2 = ab.squaredNorm();
-  const double s = length2 > 0.0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-  return (p - (a + s * ab)).norm();
+  return (p - (a + footOn(p, a, b) * (b - a))).norm();
 }
 
 void SegmentTree::add(const std::vector<Vec3>& polyline, bool closed) {
@@ -76,7 +80,19 @@ std::uint32_t SegmentTree::buildNode(std::uint32_t begin, std::uint32_t end) {
 }
 
 double SegmentTree::distance(const Vec3& p) const {
-  double best = std::numeric_limits<double>::infinity();
+  return find(p).distance;
+}
+
+Vec3 SegmentTree::nearest(const Vec3& p) const {
+  if (segments_.empty()) {
+    return p;
+  }
+  const auto& [a, b] = segments_[find(p).segment];
+  return a + footOn(p, a, b) * (b - a);
+}
+
+SegmentTree::Found SegmentTree::find(const Vec3& p) const {
+  Found best{std::numeric_limits<double>::infinity(), 0};
   if (segments_.empty()) {
     return best;
   }
@@ -86,12 +102,15 @@ double SegmentTree::distance(const Vec3& p) const {
   stack[depth++] = 0;
   while (depth > 0) {
     const Node& node = nodes_[stack[--depth]];
-    if (squaredDistanceToBox(p, node.box) > best * best) {
+    if (squaredDistanceToBox(p, node.box) > best.distance * best.distance) {
       continue;
     }
     if (node.right == 0) {
       for (std::uint32_t i = node.begin; i < node.end; ++i) {
-        best = std::min(best, distanceToSegment(p, segments_[i][0], segments_[i][1]));
+        const double distance = distanceToSegment(p, segments_[i][0], segments_[i][1]);
+        if (distance < best.distance) {
+          best = {distance, i};
+        }
       }
       continue;
     }

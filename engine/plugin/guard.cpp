@@ -46,16 +46,32 @@ private:
   std::string place_;
 };
 
-std::string contourProblem(const toolpath::Contour& contour, std::size_t partCount) {
-  if (contour.part < 0 || static_cast<std::size_t>(contour.part) >= partCount) {
+std::string contourProblem(const toolpath::Contour& contour, std::size_t parts) {
+  if (contour.part < 0 || static_cast<std::size_t>(contour.part) >= parts) {
     return "names part " + std::to_string(contour.part) + ", which does not exist";
   }
   for (std::size_t i = 0; i < contour.points.size(); ++i) {
-    if (!contour.points[i].p.allFinite() || !contour.points[i].n.allFinite()) {
+    const toolpath::ContourPoint& point = contour.points[i];
+    if (!point.p.allFinite() || !point.n.allFinite() || !point.axis.allFinite() ||
+        !std::isfinite(point.height) || !std::isfinite(point.width)) {
       return "has a number that is not finite at point " + std::to_string(i);
+    }
+    if (point.height < 0.0 || point.width < 0.0) {
+      return "has a negative height or width at point " + std::to_string(i);
+    }
+  }
+  for (std::size_t k = 0; k < contour.turns.size(); ++k) {
+    if (contour.turns[k] >= contour.points.size() ||
+        (k > 0 && contour.turns[k] <= contour.turns[k - 1])) {
+      return "has revolutions that do not ascend inside its points";
     }
   }
   return {};
+}
+
+/// A path from a file may come without a part: it then belongs to the first one.
+std::size_t partCount(const SliceInput& input) {
+  return input.parts.empty() && input.imported != nullptr ? 1 : input.parts.size();
 }
 
 class GuardedSlicing final : public SlicingStrategy {
@@ -76,7 +92,7 @@ public:
         guard_.fail("layer " + std::to_string(i) + " has a number that is not finite");
       }
       for (std::size_t k = 0; k < layer.contours.size(); ++k) {
-        const std::string problem = contourProblem(layer.contours[k], input.parts.size());
+        const std::string problem = contourProblem(layer.contours[k], partCount(input));
         if (!problem.empty()) {
           guard_.fail("layer " + std::to_string(i) + " contour " + std::to_string(k) + " " +
                       problem);

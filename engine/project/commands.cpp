@@ -315,7 +315,7 @@ Value pinFiles(const Document& document, const Value& args) {
   if (Value* cell = tree.findMutable("cell")) {
     pin(*cell);
   }
-  for (const char* list : {"parts", "guides", "processes"}) {
+  for (const char* list : {"parts", "guides", "processes", "operations"}) {
     const std::size_t count = tree.contains(list) ? tree.at(list).size() : 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (tree.at(list).asArray()[i].contains("file")) {

@@ -288,6 +288,7 @@ const std::vector<NodeType>& nodeTypes() {
         {"parts", IdList, true, "parts to build", "parts"},
         {"substrate", Id, true, "substrate to build on", "substrates"},
         {"guide", Id, false, "guide curve", "guides"},
+        {"file", File, false, "table of a path that was planned elsewhere"},
         {"process", Id, true, "process to build with", "processes"},
         {"params", Object, false, "parameters of the strategy"},
         {"path", Object, false, "parameters of the path: sampling, seam, tool axis"},

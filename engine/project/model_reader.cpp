@@ -120,6 +120,7 @@ Operation operationOf(const Value& node) {
   operation.parts = idsOr(node, "parts");
   operation.substrate = node.at("substrate").asString();
   operation.guide = textOr(node, "guide");
+  operation.file = fileOr(node, "file");
   operation.process = node.at("process").asString();
   operation.params = objectOr(node, "params");
   operation.path = objectOr(node, "path");
@@ -327,8 +328,9 @@ private:
       }
     }
     const Value* parts = node.find("parts");
-    if (std::string_view(type.list) == "operations" && parts != nullptr && parts->size() == 0) {
-      problem(path + ".parts", "an operation needs at least one part");
+    if (std::string_view(type.list) == "operations" && parts != nullptr && parts->size() == 0 &&
+        !node.contains("file")) {
+      problem(path + ".parts", "an operation needs at least one part, or a file with a path");
     }
   }
 

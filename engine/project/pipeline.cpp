@@ -119,6 +119,13 @@ std::vector<Diagnostic> Pipeline::validate() const {
     checkParams(toolpath::PathParams::schema().params(), operation.path, path + ".path", problems);
     checkParams(motion::MotionParams::schema().params(), operation.motion, path + ".motion",
                 problems);
+    if (strategy->info.needsFile && operation.file.empty()) {
+      problems.push_back(
+          {path + ".file", "the strategy " + operation.strategy + " needs a file with a path"});
+    }
+    if (!strategy->info.needsFile && operation.parts.empty()) {
+      problems.push_back({path + ".parts", "the strategy " + operation.strategy + " needs a part"});
+    }
     if (strategy->info.needsGuide && operation.guide.empty()) {
       problems.push_back(
           {path + ".guide", "the strategy " + operation.strategy + " needs a guide curve"});
@@ -311,6 +318,13 @@ OperationResult Pipeline::computeStages(const Operation& operation,
     std::string guideKey;
     input.guide = makeGuide(*document_.project().guide(operation.guide), guideKey, context);
     sliceKey.text(guideKey);
+  }
+  if (!operation.file.empty()) {
+    const std::filesystem::path file = resolvePath(project_, operation.file);
+    const std::string text = readFile(file);
+    input.imported = std::make_shared<const toolpath::ImportedPath>(
+        toolpath::readPathTable(text, pathText(file), context));
+    sliceKey.text(sha256Hex(text));
   }
   const auto pathParams = toolpath::PathParams::schema().read(operation.path, "path");
   input.sampling = pathParams.sampling();

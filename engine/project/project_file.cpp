@@ -194,6 +194,7 @@ std::vector<UsedFile> usedFiles(const Document& document) {
   collect(project.parts, "parts", "part");
   collect(project.guides, "guides", "guide");
   collect(project.processes, "processes", "process");
+  collect(project.operations, "operations", "operation");
   return files;
 }
 

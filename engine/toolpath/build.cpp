@@ -5,8 +5,8 @@
 
 #include "wcam/base/text.hpp"
 #include "wcam/toolpath/layer_distance.hpp"
-#include "wcam/toolpath/tool_axis.hpp"
 
+#include "axis_rules.hpp"
 #include "bead_order.hpp"
 #include "bead_reference.hpp"
 #include "frames.hpp"
@@ -24,23 +24,7 @@ namespace {
 /// A point nearer to the substrate than this part of the layer height lies on it.
 constexpr double kOnSubstrate = 1e-6;
 
-void setAxis(PathPoint& point, const Vec3& up, const PathParams& params) {
-  point.up = up;
-  if (params.lead.value() == 0.0 && params.lateralTilt.value() == 0.0) {
-    point.axis = up;
-    return;
-  }
-  Vec3 t = point.t - point.t.dot(up) * up;
-  t = t.norm() > kNoDirection ? Vec3(t.normalized()) : up.unitOrthogonal();
-  point.axis = tiltedAxis(t, up.cross(t), up, params.lead, params.lateralTilt);
-}
-
-Bead makeBead(const Contour& contour,
-              const SlicedLayer& layer,
-              const Substrate& substrate,
-              bool reversed,
-              AxisMode axis,
-              const PathParams& params) {
+Bead makeBead(const Contour& contour, const SlicedLayer& layer, bool reversed) {
   Bead bead;
   bead.closed = contour.closed;
   bead.part = contour.part;
@@ -61,10 +45,6 @@ Bead makeBead(const Contour& contour,
     setFrame(point, tangentAt(before, here.p, after), reversed ? Vec3(-here.n) : here.n, layer.up);
     point.height = here.height;
     point.width = here.width;
-    const Vec3 up = axis == AxisMode::Local   ? point.b
-                    : axis == AxisMode::Layer ? layer.up
-                                              : substrate.up();
-    setAxis(point, up, params);
   }
   return bead;
 }
@@ -218,8 +198,6 @@ Toolpath buildToolpath(const SlicedLayers& contours,
       withBeadReference(contours, params.beadReference, range.width, params.sampling(), context);
   Toolpath path;
   BeadOrder order(params, substrate);
-  const AxisMode automatic = sliced.curved ? AxisMode::Local : AxisMode::Layer;
-  const AxisMode axis = params.axis == AxisMode::Auto ? automatic : params.axis;
   for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
     context.check();
     const SlicedLayer& source = sliced.layers[l];
@@ -229,8 +207,9 @@ Toolpath buildToolpath(const SlicedLayers& contours,
     const std::vector<OrderedContour> ordered = order.arrange(source, l, sliced.asGiven);
     reportSeams(order.seams().takeTooClose(), static_cast<int>(l), params, context);
     for (const OrderedContour& item : ordered) {
-      layer.beads.push_back(makeBead(item.contour, source, substrate, item.reversed, axis, params));
+      layer.beads.push_back(makeBead(item.contour, source, item.reversed));
     }
+    setAxes(layer, ordered, sliced.curved, substrate, params, static_cast<int>(l), context);
     setDistances(layer, ordered, source, contoursBelow(sliced, l), substrate);
     reportUnsupported(layer, static_cast<int>(l), source.nominalHeight, context);
     for (Bead& bead : layer.beads) {

@@ -22,6 +22,9 @@ inline ContourPoint between(const ContourPoint& a, const ContourPoint& b, double
   point.n = direction(a.n, b.n);
   point.height = mix(a.height, b.height);
   point.width = mix(a.width, b.width);
+  if (a.axis.norm() > 0.0 && b.axis.norm() > 0.0) {
+    point.axis = direction(a.axis, b.axis);
+  }
   return point;
 }
 

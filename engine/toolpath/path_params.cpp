@@ -227,7 +227,45 @@ void addToolAxis(Schema<PathParams>& schema) {
             .choices = {{"local", "Local: tangent to the wall at every point"},
                         {"layer", "Layer: one direction for each layer"},
                         {"global", "Global: the substrate's build direction"},
-                        {"auto", "Automatic: local for curved layers, else layer"}}})
+                        {"auto", "Automatic: local for curved layers, else layer"},
+                        {"mean", "Mean: the mean of the local directions of a layer"}}})
+      .add(&PathParams::axisProject,
+           {.key = "axis_project",
+            .label = "Project axes on a plane",
+            .help = "Keeps the torch from leaning across a plane, for instance towards the "
+                    "substrate.",
+            .group = "Tool axis",
+            .level = ParamLevel::Advanced})
+      .add(&PathParams::axisPlaneNormal, {.key = "axis_plane_normal",
+                                          .label = "Normal of the plane",
+                                          .help = "In the substrate's frame; any length.",
+                                          .group = "Tool axis",
+                                          .level = ParamLevel::Advanced,
+                                          .enabledIf = "axis_project=true"})
+      .add(&PathParams::axisLimit,
+           {.key = "axis_limit",
+            .label = "Greatest inclination",
+            .help = "Axes that lean further from the substrate's build direction are turned back "
+                    "to this angle, before lead and lateral tilt.",
+            .group = "Tool axis",
+            .min = 0.0,
+            .max = 180.0})
+      .add(&PathParams::axisRate,
+           {.key = "axis_rate",
+            .label = "Greatest turn of the axis",
+            .help = "In degrees per mm of path; axes are smoothed until they hold it. 0: no bound.",
+            .group = "Tool axis",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 360.0})
+      .add(&PathParams::axisDeviation,
+           {.key = "axis_deviation",
+            .label = "Reported deviation",
+            .help = "A finding is given where smoothing turns an axis by more.",
+            .group = "Tool axis",
+            .level = ParamLevel::Expert,
+            .min = 0.0,
+            .max = 180.0})
       .add(&PathParams::lead,
            {.key = "lead",
             .label = "Lead angle",

@@ -27,6 +27,9 @@ public:
   /// Distance to the nearest segment (feet inside, or its ends), infinity when there is none.
   [[nodiscard]] double distance(const Vec3& p) const;
 
+  /// Nearest point on the segments; p itself when there is none.
+  [[nodiscard]] Vec3 nearest(const Vec3& p) const;
+
 private:
   struct Node {
     Box box;
@@ -35,6 +38,12 @@ private:
     std::uint32_t right = 0;  ///< right child; the left one follows its parent. 0 for a leaf
   };
 
+  struct Found {
+    double distance;
+    std::uint32_t segment;
+  };
+
+  [[nodiscard]] Found find(const Vec3& p) const;
   std::uint32_t buildNode(std::uint32_t begin, std::uint32_t end);
 
   std::vector<std::array<Vec3, 2>> segments_;

@@ -6,6 +6,7 @@
 #include "wcam/base/value.hpp"
 #include "wcam/geometry/guide_curve.hpp"
 #include "wcam/geometry/part_surface.hpp"
+#include "wcam/toolpath/import_table.hpp"
 #include "wcam/toolpath/slicing.hpp"
 #include "wcam/toolpath/substrate.hpp"
 
@@ -18,11 +19,14 @@ namespace wcam::plugin {
 /// What a strategy works on. All geometry is in the part frame, mm; build direction and origin come
 /// from the substrate.
 struct SliceInput {
-  std::vector<std::shared_ptr<const geometry::PartSurface>> parts;  ///< at least one
-  std::shared_ptr<const toolpath::Substrate> substrate;             ///< never null
-  std::shared_ptr<const geometry::GuideCurve> guide;  ///< null when the operation names none
+  std::vector<std::shared_ptr<const geometry::PartSurface>>
+      parts;  ///< at least one, unless there is an imported path
+  std::shared_ptr<const toolpath::Substrate> substrate;  ///< never null
+  std::shared_ptr<const geometry::GuideCurve> guide;     ///< null when the operation names none
   toolpath::Sampling sampling;
   toolpath::BeadRange bead = {};  ///< what the operation's process can deposit
+  /// The path that the operation's file holds; null when the operation names no file.
+  std::shared_ptr<const toolpath::ImportedPath> imported = {};
 };
 
 /// Where does layer k lie on the part? One instance serves many calls, also at the same time:

@@ -88,6 +88,7 @@ struct Operation {
   std::vector<std::string> parts;
   std::string substrate;
   std::string guide;  ///< empty: none
+  FileRef file;       ///< table of a path that was planned elsewhere; empty: none
   std::string process;
   Value params;
   Value path;

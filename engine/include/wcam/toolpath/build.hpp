@@ -8,6 +8,7 @@
 #include "wcam/toolpath/substrate.hpp"
 #include "wcam/toolpath/toolpath.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -63,7 +64,8 @@ enum class AxisMode {
   Local,   ///< the build direction b of each point (tangent to the part's wall)
   Layer,   ///< the layer's build direction (plane normal)
   Global,  ///< the substrate's build direction everywhere
-  Auto     ///< Layer where layers are planes, Local where they are curved
+  Auto,    ///< the axis that came with the path, else Layer where layers are planes, else Local
+  Mean     ///< the mean of b over the layer
 };
 
 /// How contours become beads. Sampling is used by the strategy, the rest afterwards: changing a
@@ -102,6 +104,11 @@ struct PathParams {
   Length wipeLift = 2.0_mm;
 
   AxisMode axis = AxisMode::Auto;
+  bool axisProject = false;  ///< axes are projected on a plane (Chalvin A16c)
+  std::array<double, 3> axisPlaneNormal{1.0, 0.0, 0.0};  ///< of the plane, substrate frame
+  Angle axisLimit = 180.0_deg;  ///< greatest lean from the build direction of the substrate
+  double axisRate = 0.0;        ///< greatest turn of the axis along a bead, degrees per mm; 0: any
+  Angle axisDeviation = 10.0_deg;  ///< smoothing that turns an axis by more is reported
   Angle lead = 0.0_deg;
   Angle lateralTilt = 0.0_deg;
 
@@ -123,7 +130,8 @@ struct PathParams {
 ///
 /// @param range the width of the beads, for BeadReference
 /// Findings: toolpath.unsupported (a bead in the air), toolpath.outside_plate,
-/// toolpath.seam_too_close, toolpath.contour_vanished.
+/// toolpath.seam_too_close, toolpath.contour_vanished, toolpath.axis_smoothed,
+/// toolpath.axis_not_projected.
 Toolpath buildToolpath(const SlicedLayers& contours,
                        const Substrate& substrate,
                        const PathParams& params,

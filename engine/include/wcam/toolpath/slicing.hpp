@@ -32,6 +32,7 @@ struct ContourPoint {
   Vec3 n = Vec3::UnitX();
   double height = 0.0;  ///< local layer height where the strategy knows it, mm; 0: the measured δ
   double width = 0.0;   ///< bead width where the strategy chooses it, mm; 0: the process's
+  Vec3 axis = Vec3::Zero();  ///< tool axis that comes with the path; zero: by the axis rules
 };
 
 /// What a bead is for.
