@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace wcam::toolpath {
 
@@ -322,6 +323,27 @@ IsoField isoValueField(const geometry::PartSurface& wall,
                        const JobContext& context) {
   check(options);
   return FieldMaker(wall, substrate, options, context).run();
+}
+
+IsoField isoValuesBetween(const geometry::PartSurface& piece,
+                          const std::vector<std::uint32_t>& lower,
+                          const std::vector<std::uint32_t>& upper,
+                          double step,
+                          const JobContext& context) {
+  IsoField result;
+  result.values = geometry::harmonicField(piece.mesh, piece.halfEdges, {{lower, 0.0}, {upper, 1.0}},
+                                          {}, context);
+  std::vector<std::uint32_t> all(piece.mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  const Slope slope = slopeOf(piece.mesh, all, result.values,
+                              geometry::triangleGradients(piece.mesh, result.values));
+  if (slope.integral > 0.0) {
+    result.layers = static_cast<std::size_t>(std::round(slope.area / slope.integral / step));
+  }
+  for (double& value : result.values) {
+    value *= static_cast<double>(result.layers) * step;
+  }
+  return result;
 }
 
 std::vector<LayerLevel> isoLevels(

@@ -8,6 +8,8 @@
 #include "wcam/toolpath/substrate.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace wcam::toolpath {
@@ -49,6 +51,15 @@ IsoField isoValueField(const geometry::PartSurface& wall,
                        const Substrate& substrate,
                        const IsoValueOptions& options,
                        const JobContext& context);
+
+/// The same for a piece between given vertices: harmonic from 0 on the lower to layers·step on the
+/// upper ones. A piece lower than half a layer has none.
+/// @throws Error as harmonicField
+IsoField isoValuesBetween(const geometry::PartSurface& piece,
+                          const std::vector<std::uint32_t>& lower,
+                          const std::vector<std::uint32_t>& upper,
+                          double step,
+                          const JobContext& context);
 
 /// Levels firstLayer·step, + step, … up to `layers`, each with the mean direction in which the
 /// fields grow there.

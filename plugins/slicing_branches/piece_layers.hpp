@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/plugin/slicing.hpp"
+
+#include "piece_order.hpp"
+
+#include <vector>
+
+namespace wcam::branches {
+
+/// What the layers of each piece follow.
+enum class Field {
+  Height,     ///< planes across the build direction
+  Geodesic,   ///< distance from the base along the wall
+  IsoValues,  ///< the borders and cuts of the piece
+};
+
+struct PieceOptions {
+  Field field = Field::Height;
+  double step = 2.0;
+  double firstLayer = 1.0;   ///< in steps
+  double leastBranch = 2.0;  ///< what spans less of the field makes no branch, mm
+  double edge = 0.0;         ///< mesh edge length of fields on vertices; 0: from the step
+};
+
+/// Cuts a part at the saddles of its field and slices every piece. Contours carry the part's index;
+/// the first layer on two or more branches is a junction.
+/// Finding slicing.branches: into how many pieces and where.
+/// @throws Error(JobFailed) with the place and the remedy
+std::vector<PieceLayers> slicePieces(const plugin::SliceInput& input,
+                                     std::size_t part,
+                                     const PieceOptions& options,
+                                     const JobContext& context);
+
+}  // namespace wcam::branches
