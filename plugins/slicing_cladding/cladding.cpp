@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/text.hpp"
+#include "wcam/geometry/geodesic.hpp"
+#include "wcam/geometry/refine.hpp"
+#include "wcam/plugin/plugin.hpp"
+
+#include "cladding_beads.hpp"
+#include "cladding_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace wcam;
+using namespace wcam::cladding;
+using geometry::PartSurface;
+using toolpath::Contour;
+using toolpath::LayerLevel;
+using toolpath::SlicedLayer;
+using toolpath::SlicedLayers;
+
+enum class Pattern { Parallel, Zigzag, Concentric };
+enum class Margin { Inside, Centre };
+
+struct Params {
+  Pattern pattern = Pattern::Zigzag;
+  std::array<double, 3> direction{1.0, 0.0, 0.0};
+  Length width = 0.0_mm;
+  double overlap = 0.667;
+  Margin margin = Margin::Inside;
+  int layers = 1;
+  Length step = 2.0_mm;
+  double firstLayer = 1.0;
+  Length minLength = 0.0_mm;
+
+  static const Schema<Params>& schema();
+
+  [[nodiscard]] double spacing(double beadWidth) const { return overlap * beadWidth; }
+};
+
+Schema<Params> makeSchema() {
+  Schema<Params> schema;
+  schema
+      .add(&Params::pattern, {.key = "pattern",
+                              .label = "Pattern",
+                              .help = "How beads cover the surface.",
+                              .group = "Beads",
+                              .choices = {{"parallel", "Parallel lines, all in one direction"},
+                                          {"zigzag", "Parallel lines, joined at their ends"},
+                                          {"concentric", "Concentric from the border"}}})
+      .add(&Params::direction,
+           {.key = "direction",
+            .label = "Direction across the beads",
+            .help = "Lines lie in planes normal to it; in the part frame, any length.",
+            .group = "Beads",
+            .enabledIf = "pattern!=concentric"})
+      .add(&Params::width, {.key = "bead_width",
+                            .label = "Bead width",
+                            .help = "Of a single bead; 0 takes the process's.",
+                            .group = "Beads",
+                            .min = 0.0,
+                            .max = 1000.0})
+      .add(&Params::overlap,
+           {.key = "overlap",
+            .label = "Centre distance, in bead widths",
+            .help = "Measured on the surface; 0.667 leaves a level surface (Ding 2015).",
+            .group = "Beads",
+            .min = 0.1,
+            .max = 1.0})
+      .add(&Params::margin, {.key = "border",
+                             .label = "At the border of the surface",
+                             .help = "What lies on the border: the bead's side or its centre.",
+                             .group = "Beads",
+                             .choices = {{"inside", "The bead's side: it stays on the surface"},
+                                         {"centre", "The bead's centre"}}})
+      .add(&Params::minLength, {.key = "min_length",
+                                .label = "Least bead length",
+                                .help = "Shorter beads are left out; 0: one bead width.",
+                                .group = "Beads",
+                                .level = ParamLevel::Advanced,
+                                .min = 0.0,
+                                .max = 1e6})
+      .add(&Params::layers, {.key = "layers",
+                             .label = "Layers",
+                             .help = "Stacked along the surface's normal.",
+                             .group = "Layers",
+                             .min = 1,
+                             .max = 10000})
+      .add(&Params::step, {.key = "step",
+                           .label = "Layer height",
+                           .help = "Distance between neighbouring layers, along the normal.",
+                           .group = "Layers",
+                           .min = 0.01,
+                           .max = 1000.0})
+      .add(&Params::firstLayer,
+           {.key = "first_layer",
+            .label = "First layer, in heights",
+            .help = "Height of the first layer above the surface; 0 lays it on the surface itself.",
+            .group = "Layers",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 100.0});
+  return schema;
+}
+
+const Schema<Params>& Params::schema() {
+  static const Schema<Params> schema = makeSchema();
+  return schema;
+}
+
+/// Traces of the levels, not cut by the substrate: what is clad is itself what beads stand on.
+std::vector<std::vector<Contour>> byLevel(const SlicedLayers& sliced,
+                                          const std::vector<LayerLevel>& levels) {
+  std::vector<std::vector<Contour>> result(levels.size());
+  std::size_t k = 0;
+  for (const SlicedLayer& layer : sliced.layers) {
+    while (k < levels.size() && levels[k].value != layer.level) {
+      ++k;
+    }
+    if (k < levels.size()) {
+      result[k] = layer.contours;
+    }
+  }
+  return result;
+}
+
+/// A plate below all parts.
+toolpath::Substrate plateBelow(const plugin::SliceInput& input) {
+  double depth = 0.0;
+  const Vec3 up = input.substrate->up();
+  for (const auto& part : input.parts) {
+    for (const Vec3& p : part->mesh.vertices) {
+      depth = std::max(depth, -up.dot(p - input.substrate->pose().translation()));
+    }
+  }
+  geometry::Pose pose = input.substrate->pose();
+  pose.translation() -= (2.0 * depth + 1.0) * up;
+  return {pose, input.substrate->size()};
+}
+
+class Cladder {
+public:
+  Cladder(const plugin::SliceInput& input, const Params& params, const JobContext& context)
+      : input_(input),
+        params_(params),
+        context_(context),
+        below_(plateBelow(input)),
+        width_(params.width.value() > 0.0 ? params.width.value() : input.bead.width),
+        spacing_(params.spacing(width_)),
+        margin_(params.margin == Margin::Inside ? 0.5 * width_ : 0.0),
+        minLength_(params.minLength.value() > 0.0 ? params.minLength.value() : width_) {}
+
+  [[nodiscard]] SlicedLayers run() const {
+    std::vector<std::vector<SurfaceCurve>> beads(input_.parts.size());
+    bool any = false;
+    for (std::size_t k = 0; k < beads.size(); ++k) {
+      context_.check();
+      beads[k] = params_.pattern == Pattern::Concentric ? concentric(k) : lines(k);
+      any = any || !beads[k].empty();
+    }
+    if (!any) {
+      throw Error(ErrorCode::JobFailed, "no bead fits onto the surface", "cladding",
+                  "use a narrower bead, or allow shorter ones (min_length)");
+    }
+    return stack(beads);
+  }
+
+private:
+  [[nodiscard]] std::vector<SurfaceCurve> lines(std::size_t part) const {
+    const PartSurface& surface = *input_.parts[part];
+    const LinePlanes planes =
+        linePlanes(surface, Vec3(params_.direction[0], params_.direction[1], params_.direction[2]),
+                   spacing_, margin_);
+    report(planes, part);
+    const SlicedLayers sliced = toolpath::sliceByField(
+        {input_.parts[part]}, toolpath::PlaneField(planes.stack), planes.stack.levels, below_,
+        input_.sampling, context_.withOwnDiagnostics());
+    std::vector<SurfaceCurve> curves = curvesOf(byLevel(sliced, planes.stack.levels), margin_);
+    if (params_.pattern == Pattern::Zigzag) {
+      constexpr double kReach = 2.0;
+      curves = zigzag(curves, geometry::AabbTree(surface.mesh), kReach * spacing_,
+                      input_.sampling.maxSpacing);
+    }
+    return curves;
+  }
+
+  [[nodiscard]] std::vector<SurfaceCurve> concentric(std::size_t part) const {
+    const PartSurface& whole = *input_.parts[part];
+    if (whole.halfEdges.borderEdgeCount() == 0) {
+      throw Error(ErrorCode::JobFailed,
+                  "the surface is closed: it has no border that beads could follow",
+                  "cladding, part " + std::to_string(part + 1),
+                  "pick the faces to clad, or take parallel lines");
+    }
+    const auto fine = std::make_shared<const PartSurface>(
+        geometry::refineSurface(whole, geometry::fieldEdgeLength(whole, spacing_), context_));
+    geometry::GeodesicSource source;
+    for (std::uint32_t h = 0; h < 3 * fine->mesh.triangles.size(); ++h) {
+      if (fine->halfEdges.twin(h) == geometry::HalfEdges::kNone) {
+        source.borderEdges.push_back(h);
+      }
+    }
+    const geometry::GeodesicSolver solver(fine->mesh, fine->halfEdges);
+    std::vector<double> distance =
+        solver.distance(source, std::numeric_limits<double>::infinity(), context_);
+    double farthest = 0.0;
+    for (double& d : distance) {
+      if (std::isfinite(d)) {
+        farthest = std::max(farthest, d);
+      } else {
+        d = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+    std::vector<LayerLevel> levels;
+    for (double k = 0.0; margin_ + k * spacing_ < farthest; k += 1.0) {
+      levels.push_back({margin_ + k * spacing_, input_.substrate->up(), spacing_});
+    }
+    if (levels.empty()) {
+      return {};
+    }
+    const SlicedLayers sliced =
+        toolpath::sliceByField({fine}, toolpath::VertexField{{std::move(distance)}}, levels, below_,
+                               input_.sampling, context_.withOwnDiagnostics());
+    return curvesOf(byLevel(sliced, levels), 0.0);
+  }
+
+  [[nodiscard]] std::vector<SurfaceCurve> curvesOf(const std::vector<std::vector<Contour>>& traces,
+                                                   double trim) const {
+    std::vector<SurfaceCurve> curves;
+    for (std::size_t line = 0; line < traces.size(); ++line) {
+      for (const Contour& contour : traces[line]) {
+        SurfaceCurve curve = toCurve(contour, line);
+        trimEnds(curve, trim);
+        if (curve.points.size() > 1 && curveLength(curve) >= minLength_) {
+          curves.push_back(std::move(curve));
+        }
+      }
+    }
+    return curves;
+  }
+
+  void report(const LinePlanes& planes, std::size_t part) const {
+    if (planes.uncoveredArea > spacing_ * spacing_) {
+      context_.add({Severity::Warning,
+                    "slicing.uncovered",
+                    formatFixed(planes.uncoveredArea, 0) + " mm² of part " +
+                        std::to_string(part + 1) +
+                        " run along the planes of the lines and are not covered",
+                    "clad these faces by an operation of their own, with another direction",
+                    {},
+                    {{"area_mm2", planes.uncoveredArea}}});
+    }
+    constexpr double kDenseShare = 0.1;
+    if (planes.denseArea > kDenseShare * planes.area) {
+      context_.add({Severity::Warning,
+                    "slicing.overfill",
+                    "on " + formatFixed(100.0 * planes.denseArea / planes.area, 0) +
+                        " % of the surface of part " + std::to_string(part + 1) +
+                        " lines lie clearly nearer than the bead distance, since the surface "
+                        "slopes differently along them",
+                    "clad the faces one by one, or take the concentric pattern",
+                    {},
+                    {{"area_mm2", planes.denseArea}}});
+    }
+  }
+
+  [[nodiscard]] SlicedLayers stack(const std::vector<std::vector<SurfaceCurve>>& beads) const {
+    SlicedLayers sliced;
+    sliced.curved = true;
+    sliced.asGiven = params_.pattern != Pattern::Concentric;
+    Vec3 mean = Vec3::Zero();
+    for (const auto& part : beads) {
+      for (const SurfaceCurve& curve : part) {
+        for (const Vec3& normal : curve.normals) {
+          mean += normal;
+        }
+      }
+    }
+    // Around a closed surface the normals cancel: the substrate's direction stands for all.
+    constexpr double kNoDirection = 1e-6;
+    const Vec3 up = mean.norm() > kNoDirection ? Vec3(mean.normalized()) : input_.substrate->up();
+    for (int j = 0; j < params_.layers; ++j) {
+      SlicedLayer layer;
+      layer.level = (params_.firstLayer + j) * params_.step.value();
+      layer.up = up;
+      layer.nominalHeight = params_.step.value();
+      std::size_t folded = 0;
+      int group = 0;
+      for (std::size_t part = 0; part < beads.size(); ++part) {
+        for (const SurfaceCurve& curve : beads[part]) {
+          Contour contour =
+              raised(curve, layer.level, params_.step.value(), params_.width.value(), folded);
+          contour.part = static_cast<int>(part);
+          contour.group = group++;
+          layer.contours.push_back(std::move(contour));
+        }
+      }
+      if (folded > 0) {
+        context_.add({Severity::Warning,
+                      "slicing.fold",
+                      "at " + formatFixed(layer.level, 2) + " mm above the surface " +
+                          std::to_string(folded) +
+                          " points run backwards: the surface is hollow with a smaller radius",
+                      "use fewer or thinner layers there",
+                      {{}, j, -1, -1},
+                      {{"points", static_cast<double>(folded)}}});
+      }
+      sliced.layers.push_back(std::move(layer));
+    }
+    return sliced;
+  }
+
+  const plugin::SliceInput& input_;
+  const Params& params_;
+  const JobContext& context_;
+  toolpath::Substrate below_;
+  double width_;
+  double spacing_;
+  double margin_;
+  double minLength_;
+};
+
+class CladdingSlicing : public plugin::SlicingStrategy {
+public:
+  [[nodiscard]] SlicedLayers slice(const plugin::SliceInput& input,
+                                   const Value& values,
+                                   const JobContext& context) const override {
+    const Params params = Params::schema().read(values, "cladding");
+    SlicedLayers sliced = Cladder(input, params, context).run();
+    context.report(1.0);
+    return sliced;
+  }
+};
+
+void registerComponents(plugin::Registrar& registrar) {
+  registrar.addSlicing(
+      {.id = "wcam.slicing.cladding",
+       .name = "Cladding of a surface",
+       .summary = "Beads side by side on faces or a whole surface, in layers along the normal.",
+       .version = 1,
+       .params = Params::schema().params()},
+      [] { return std::make_unique<CladdingSlicing>(); });
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.slicing.cladding", "0.1.0", registerComponents);

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/geometry/aabb_tree.hpp"
+#include "wcam/toolpath/slicing.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace wcam::cladding {
+
+using geometry::Vec3;
+
+/// A curve on the surface with its outward normals.
+struct SurfaceCurve {
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;
+  bool closed = false;
+  std::size_t line = 0;  ///< number of the trace
+};
+
+SurfaceCurve toCurve(const toolpath::Contour& contour, std::size_t line);
+
+/// Takes a length off both ends of an open curve; what is left may be empty.
+void trimEnds(SurfaceCurve& curve, double length);
+
+double curveLength(const SurfaceCurve& curve);
+
+/// Neighbouring open lines joined end to start, every other one reversed, where the ends are no
+/// farther apart than `reach`. Points between lie on the mesh.
+/// @param curves ascending by line
+std::vector<SurfaceCurve> zigzag(const std::vector<SurfaceCurve>& curves,
+                                 const geometry::AabbTree& surface,
+                                 double reach,
+                                 double maxSpacing);
+
+/// The bead on a curve at a height above the surface: n = normal × travel, so that t × n is the
+/// surface's normal. @param folded is raised by the points at which the raised curve runs backwards
+toolpath::Contour raised(const SurfaceCurve& curve,
+                         double height,
+                         double layerHeight,
+                         double width,
+                         std::size_t& folded);
+
+}  // namespace wcam::cladding
