@@ -53,6 +53,32 @@ void addTravel(Schema<MotionParams>& schema) {
             .group = "Travel",
             .min = 0,
             .max = 5000})
+      .add(&MotionParams::link,
+           {.key = "link",
+            .label = "Links between beads",
+            .help = "Direct links are short, but joints that have turned far cannot turn back in "
+                    "them.",
+            .group = "Travel",
+            .choices = {{"retract", "Always over the safe height"},
+                        {"direct", "Straight where it is clear"}}})
+      .add(&MotionParams::linkClearance,
+           {.key = "link_clearance",
+            .label = "Clearance of direct links",
+            .help = "Height of a direct link above everything deposited below the torch.",
+            .group = "Travel",
+            .level = ParamLevel::Advanced,
+            .min = 0,
+            .max = 1000,
+            .enabledIf = "link=direct"})
+      .add(&MotionParams::torchRadius,
+           {.key = "torch_radius",
+            .label = "Radius of the torch",
+            .help = "What is higher than a direct link must be this far beside it.",
+            .group = "Travel",
+            .level = ParamLevel::Advanced,
+            .min = 0,
+            .max = 1000,
+            .enabledIf = "link=direct"})
       .add(&MotionParams::travelSpeed, {.key = "travel_speed",
                                         .label = "Travel speed",
                                         .help = "Speed of retract and approach moves.",

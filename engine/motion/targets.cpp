@@ -1,20 +1,42 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/quantity.hpp"
+
 #include "plan_detail.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace wcam::motion::detail {
 
 namespace {
 
+using geometry::Vec2;
 using toolpath::Bead;
 using toolpath::PathPoint;
 
 /// Two directions closer than this (norm of the difference) share their greatest height.
 constexpr double kSameDirection = 1e-12;
+
+double pointToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 ab = b - a;
+  const double length2 = ab.squaredNorm();
+  const double s = length2 > 0.0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+  return (p - (a + s * ab)).norm();
+}
+
+double segmentToSegment(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto side = [](const Vec2& p, const Vec2& q, const Vec2& r) {
+    return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
+  };
+  if (side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0) {
+    return 0.0;
+  }
+  return std::min({pointToSegment(a, c, d), pointToSegment(b, c, d), pointToSegment(c, a, b),
+                   pointToSegment(d, a, b)});
+}
 
 /// Greatest height of everything deposited so far along a direction. Exact: boxes of beads rule out
 /// most of them, and a direction that stays the same costs only the new beads.
@@ -48,6 +70,34 @@ public:
       }
     }
     return greatest_;
+  }
+
+  /// True when nothing that was deposited within `radius` beside the line from a to b is higher
+  /// than a limit, both seen along a direction.
+  [[nodiscard]] bool clear(
+      const Vec3& a, const Vec3& b, const Vec3& direction, double limit, double radius) const {
+    const Vec3 e1 = direction.unitOrthogonal();
+    const Vec3 e2 = direction.cross(e1);
+    const auto flat = [&](const Vec3& p) { return Vec2(p.dot(e1), p.dot(e2)); };
+    for (std::size_t k = 0; k < beads_.size(); ++k) {
+      const geometry::Box& box = boxes_[k];
+      const Vec3 middle = 0.5 * (box.min + box.max);
+      const double reach = 0.5 * box.diagonal();
+      const double beside = pointToSegment(flat(middle), flat(a), flat(b));
+      if (middle.dot(direction) + reach <= limit || beside - reach > radius) {
+        continue;
+      }
+      const std::vector<PathPoint>& points = beads_[k]->points;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3& p = points[i].p;
+        const Vec3& q = points[i > 0 ? i - 1 : 0].p;
+        if (std::max(p.dot(direction), q.dot(direction)) > limit &&
+            segmentToSegment(flat(q), flat(p), flat(a), flat(b)) <= radius) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
 private:
@@ -99,6 +149,46 @@ void addBead(
   }
 }
 
+/// A bead with its place in the operation.
+struct Placed {
+  const Bead* bead;
+  int layer;
+  int index;
+};
+
+std::vector<Placed> beadsInOrder(const toolpath::Toolpath& path) {
+  std::vector<Placed> beads;
+  for (std::size_t l = 0; l < path.layers.size(); ++l) {
+    for (std::size_t k = 0; k < path.layers[l].beads.size(); ++k) {
+      if (!path.layers[l].beads[k].points.empty()) {
+        beads.push_back({&path.layers[l].beads[k], static_cast<int>(l), static_cast<int>(k)});
+      }
+    }
+  }
+  return beads;
+}
+
+/// Beyond this change of the build direction the part turns so far below the torch that the
+/// straight line says little about the way of the torch's body, rad.
+const double kSameUp = degToRad(5.0);
+
+/// May the torch go straight from above the end of a bead to above the start of the next one?
+bool linksDirectly(const Deposit& deposit,
+                   const PathPoint& from,
+                   const PathPoint& to,
+                   const MotionParams& params) {
+  if (params.link != LinkMode::Direct ||
+      std::atan2(from.up.cross(to.up).norm(), from.up.dot(to.up)) > kSameUp) {
+    return false;
+  }
+  const double lift = params.approachHeight.value();
+  const Vec3 a = from.p + lift * from.axis;
+  const Vec3 b = to.p + lift * to.axis;
+  const Vec3 up = (from.up + to.up).normalized();
+  const double limit = std::min(a.dot(up), b.dot(up)) - params.linkClearance.value();
+  return deposit.clear(a, b, up, limit, params.torchRadius.value());
+}
+
 }  // namespace
 
 std::vector<Target> makeTargets(const toolpath::Toolpath& path,
@@ -107,26 +197,27 @@ std::vector<Target> makeTargets(const toolpath::Toolpath& path,
   std::vector<Target> targets;
   Deposit deposit;
   const double travel = params.travelSpeed.value();
-  for (std::size_t l = 0; l < path.layers.size(); ++l) {
-    const auto layer = static_cast<int>(l);
-    for (std::size_t k = 0; k < path.layers[l].beads.size(); ++k) {
-      context.check();
-      const Bead& bead = path.layers[l].beads[k];
-      const auto index = static_cast<int>(k);
-      if (bead.points.empty()) {
-        continue;
-      }
-      const PathPoint& first = bead.points.front();
-      const PathPoint& last = bead.points.back();
-      const Vec3 before = first.axis * params.approachHeight.value();
+  const std::vector<Placed> beads = beadsInOrder(path);
+  bool linked = false;
+  for (std::size_t i = 0; i < beads.size(); ++i) {
+    context.check();
+    const auto& [bead, layer, index] = beads[i];
+    const PathPoint& first = bead->points.front();
+    const PathPoint& last = bead->points.back();
+    const Vec3 before = first.axis * params.approachHeight.value();
+    if (!linked) {
       const Vec3 above = liftOffset(deposit, first, before, params.safeHeight.value());
       targets.push_back(travelAt(first, above, MoveKind::Joint, layer, index, travel));
-      targets.push_back(travelAt(first, before, MoveKind::Linear, layer, index, travel));
-      addBead(bead, layer, index, travel, targets);
-      deposit.add(bead);
-      const Vec3 after = last.axis * params.approachHeight.value();
+    }
+    targets.push_back(travelAt(first, before, MoveKind::Linear, layer, index, travel));
+    addBead(*bead, layer, index, travel, targets);
+    deposit.add(*bead);
+    const Vec3 after = last.axis * params.approachHeight.value();
+    targets.push_back(travelAt(last, after, MoveKind::Linear, layer, index, travel));
+    linked = i + 1 < beads.size() &&
+             linksDirectly(deposit, last, beads[i + 1].bead->points.front(), params);
+    if (!linked) {
       const Vec3 away = liftOffset(deposit, last, after, params.safeHeight.value());
-      targets.push_back(travelAt(last, after, MoveKind::Linear, layer, index, travel));
       targets.push_back(travelAt(last, away, MoveKind::Linear, layer, index, travel));
     }
   }

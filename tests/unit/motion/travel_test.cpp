@@ -7,6 +7,9 @@
 #include "paths.hpp"
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 namespace wcam::motion {
 namespace {
 
@@ -94,6 +97,101 @@ TEST(Travel, safeHeightAlongALeaningBuildDirection) {
     worst = std::min(worst, points[i].T_part_tcp.translation().dot(up) - top);
   }
   EXPECT_GE(worst, 50.0 - 1e-9);
+}
+
+toolpath::Toolpath twoIslands(int towerLayers) {
+  toolpath::Toolpath path = circles(1, 10, 12, Vec3(-40, 0, 0));
+  path.layers[0].beads.push_back(circles(1, 10, 12, Vec3(40, 0, 0)).layers[0].beads[0]);
+  // A tower between them, deposited before.
+  toolpath::Toolpath whole = circles(towerLayers, 5, 12, Vec3(0, 0, 0));
+  whole.layers.push_back(path.layers[0]);
+  return whole;
+}
+
+TEST(Travel, directLinksWhereTheyAreClear) {
+  MotionParams params;
+  params.link = LinkMode::Direct;
+  const toolpath::Toolpath path = twoIslands(2);
+  const auto& points = plan(path, params).motion.waypoints;
+  std::size_t joints = 0;
+  for (const Waypoint& point : points) {
+    joints += point.kind == MoveKind::Joint ? 1U : 0U;
+    if (point.point < 0 && point.kind == MoveKind::Linear) {
+      EXPECT_FALSE(point.arc);
+      EXPECT_EQ(point.speed, params.travelSpeed.value());
+    }
+  }
+  EXPECT_EQ(joints, 1U);  // the way to the first bead
+  // Every bead still begins and ends above itself.
+  EXPECT_EQ(points.size(), 4U * (13 + 2) + 2);
+}
+
+TEST(Travel, directLinksGoOverWhatStandsInTheWay) {
+  MotionParams params;
+  params.link = LinkMode::Direct;
+  // 30 mm of tower: higher than the approach height of 20 mm above the first layer beside it.
+  const auto points = plan(twoIslands(15), params).motion.waypoints;
+  const auto last = std::find_if(points.rbegin(), points.rend(), [](const Waypoint& point) {
+    return point.kind == MoveKind::Joint;
+  });
+  ASSERT_NE(last, points.rend());
+  EXPECT_EQ(last->layer, 15);
+  EXPECT_EQ(last->bead, 1);
+  EXPECT_NEAR(last->T_part_tcp.translation().z(), 30.0 + params.safeHeight.value(), 1e-9);
+  // A slim torch passes beside a tower that is not on its line.
+  params.torchRadius = Length(1.0);
+  toolpath::Toolpath beside = twoIslands(15);
+  for (int l = 0; l < 15; ++l) {
+    for (toolpath::PathPoint& point : beside.layers[static_cast<std::size_t>(l)].beads[0].points) {
+      point.p.y() += 25.0;
+    }
+  }
+  const auto past = plan(beside, params).motion.waypoints;
+  const Waypoint& link = past[past.size() - 16];
+  EXPECT_EQ(link.kind, MoveKind::Linear);
+  EXPECT_EQ(link.bead, 1);
+  params.torchRadius = Length(30.0);
+  const auto over = plan(beside, params).motion.waypoints;
+  EXPECT_EQ(over[over.size() - 17].kind, MoveKind::Joint);
+}
+
+TEST(Travel, directLinksKeepOutOfTheDepositInRandomScenes) {
+  constexpr unsigned kSeed = 5;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> place(-80.0, 80.0);
+  std::uniform_int_distribution<int> height(1, 12);
+  MotionParams params;
+  params.link = LinkMode::Direct;
+  params.torchRadius = Length(15.0);
+  toolpath::Toolpath path;
+  for (int i = 0; i < 12; ++i) {
+    for (const toolpath::Layer& layer :
+         circles(height(random), 6, 12, Vec3(place(random), place(random), 0)).layers) {
+      path.layers.push_back(layer);
+    }
+  }
+  const auto points = plan(path, params).motion.waypoints;
+  std::size_t direct = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const bool changesBead = points[i].layer != points[i - 1].layer;
+    if (!changesBead || points[i].kind == MoveKind::Joint) {
+      continue;
+    }
+    ++direct;
+    const Vec3 a = points[i - 1].T_part_tcp.translation();
+    const Vec3 b = points[i].T_part_tcp.translation();
+    for (int s = 0; s <= 100; ++s) {
+      const Vec3 at = a + (b - a) * s / 100.0;
+      for (int l = 0; l < points[i].layer; ++l) {
+        for (const auto& point : path.layers[static_cast<std::size_t>(l)].beads[0].points) {
+          const double beside = std::hypot(point.p.x() - at.x(), point.p.y() - at.y());
+          EXPECT_TRUE(beside > 15.0 || point.p.z() <= at.z() - params.linkClearance.value() + 1e-9)
+              << "seed " << kSeed;
+        }
+      }
+    }
+  }
+  EXPECT_GT(direct, 20U);
 }
 
 TEST(Travel, jointMovesTakeTheirShareOfTheSpeed) {

@@ -15,12 +15,21 @@ namespace wcam::motion {
 /// Branch of the arm for a whole operation: automatic, or fixed (cell::Branch in the same order).
 enum class BranchChoice { Auto, Nut, Nub, Ndt, Ndb, Fut, Fub, Fdt, Fdb };
 
+/// How the torch comes from the end of a bead to the start of the next one.
+enum class LinkMode {
+  Retract,  ///< up to the safe height, joint move
+  Direct    ///< straight at the approach height where that is clear, else as Retract
+};
+
 /// Parameters of the motion of an operation.
 struct MotionParams {
   Angle torchRotation{};  ///< constant rotation about the tool axis (R_Z, Chalvin A18)
   BranchChoice branch = BranchChoice::Auto;
   Length approachHeight{20.0};
   Length safeHeight{50.0};
+  LinkMode link = LinkMode::Retract;
+  Length linkClearance{10.0};  ///< of direct links above what is deposited
+  Length torchRadius{30.0};    ///< what stands higher must be this far beside a direct link
   Speed travelSpeed{50.0};
   double jointSpeedRatio = 0.3;
   double minDexterity = 0.05;
@@ -40,8 +49,10 @@ struct MotionParams {
 /// z is the point's `axis`. Part carried: the part's `axis` is turned to the fixed torch's. One
 /// branch of the arm for all points; joints are unwrapped inside their limits, full turns change
 /// only in joint moves. Between beads: retract along the axis, up to the safe height above all that
-/// is deposited by then, joint move, approach. A segment takes its length over its speed, or longer
-/// when a joint could not follow.
+/// is deposited by then, joint move, approach; or a straight line between the points of retract and
+/// approach, where everything deposited within the torch's radius of it lies below it by the
+/// clearance and the build direction stays within 5°. A segment takes its length over its speed, or
+/// longer when a joint could not follow.
 ///
 /// Findings: motion.unreachable and motion.joint_limit (violations), motion.singularity,
 /// motion.joint_step, motion.speed_limited, motion.low_dexterity, motion.not_vertical (warnings),
