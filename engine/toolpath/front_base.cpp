@@ -5,7 +5,7 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/level_set.hpp"
-#include "wcam/toolpath/slice_field.hpp"
+#include "wcam/toolpath/height_field.hpp"
 
 #include "level_curve.hpp"
 
@@ -70,27 +70,11 @@ private:
   bool closed_;
 };
 
-/// φ = height above the substrate, exact where the substrate is.
-class HeightField : public LayerField {
-public:
-  explicit HeightField(const Substrate& substrate) : substrate_(substrate) {}
-
-  [[nodiscard]] double scalar(const Vec3& p) const override { return substrate_.heightAbove(p); }
-
-  [[nodiscard]] double residual(const Vec3& p, std::size_t) const override {
-    return substrate_.exactHeightAbove(p).value;
-  }
-
-  [[nodiscard]] Vec3 gradient(const Vec3& p, std::size_t) const override {
-    return substrate_.exactHeightAbove(p).gradient;
-  }
-
-private:
-  const Substrate& substrate_;
-};
-
 /// What a base made of level curves refers to.
 struct LevelBase {
+  explicit LevelBase(const Substrate& substrate) : field(substrate, levels) {}
+
+  std::vector<LayerLevel> levels{{0.0, Vec3::UnitZ(), 0.0}};
   HeightField field;
   std::optional<geometry::BrepEvaluator> evaluator;
 };
@@ -101,7 +85,7 @@ FrontBase leavingCurves(const SurfacePatch& patch,
                         double size,
                         const JobContext& context) {
   const PartSurface& part = patch.part();
-  auto level = std::make_shared<LevelBase>(LevelBase{HeightField(substrate), std::nullopt});
+  auto level = std::make_shared<LevelBase>(substrate);
   if (part.exact()) {
     level->evaluator.emplace(*part.brep);
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/plugin/plugin.hpp"
+#include "wcam/toolpath/adaptive_planes.hpp"
+#include "wcam/toolpath/height_field.hpp"
 #include "wcam/toolpath/plane_field.hpp"
 
 #include <optional>
@@ -11,51 +13,80 @@ namespace {
 using namespace wcam;
 using geometry::Vec3;
 
+enum class Surface { Planes, Substrate };
+
 struct Params {
   Length step = 2.0_mm;
   double firstLayer = 1.0;
   Length endHeight = 0.0_mm;
+  Surface surface = Surface::Planes;
+  bool adaptive = false;
   bool customDirection = false;
   std::array<double, 3> direction{0.0, 0.0, 1.0};
 
   static const Schema<Params>& schema() {
-    static const Schema<Params> schema =
-        Schema<Params>{}
-            .add(&Params::step, {.key = "step",
-                                 .label = "Layer step",
-                                 .help = "Distance between neighbouring planes.",
-                                 .group = "Layers",
-                                 .min = 0.01,
-                                 .max = 1000.0})
-            .add(
-                &Params::firstLayer,
-                {.key = "first_layer",
-                 .label = "First layer, in steps",
-                 .help =
-                     "Height of the first layer above the base; 0 puts a layer on the base itself.",
-                 .group = "Layers",
-                 .level = ParamLevel::Advanced,
-                 .min = 0.0,
-                 .max = 100.0})
-            .add(&Params::endHeight,
-                 {.key = "end_height",
-                  .label = "End height",
-                  .help = "No layer above this height over the base; 0 slices the whole part.",
-                  .group = "Layers",
-                  .level = ParamLevel::Advanced,
-                  .min = 0.0,
-                  .max = 1e6})
-            .add(&Params::customDirection,
-                 {.key = "custom_direction",
-                  .label = "Own build direction",
-                  .help = "Otherwise layers grow along the substrate's build direction.",
-                  .group = "Direction"})
-            .add(&Params::direction, {.key = "direction",
-                                      .label = "Build direction",
-                                      .help = "In the part frame; any length.",
-                                      .group = "Direction",
-                                      .enabledIf = "custom_direction=true"});
+    static const Schema<Params> schema = [] {
+      Schema<Params> s;
+      addLayers(s);
+      addShape(s);
+      return s;
+    }();
     return schema;
+  }
+
+private:
+  static void addLayers(Schema<Params>& s) {
+    s.add(&Params::step, {.key = "step",
+                          .label = "Layer step",
+                          .help = "Distance between neighbouring planes; with adaptive heights the "
+                                  "greatest distance between neighbouring layers.",
+                          .group = "Layers",
+                          .min = 0.01,
+                          .max = 1000.0});
+    s.add(&Params::firstLayer,
+          {.key = "first_layer",
+           .label = "First layer, in steps",
+           .help = "Height of the first layer above the base; 0 puts a layer on the base itself.",
+           .group = "Layers",
+           .level = ParamLevel::Advanced,
+           .min = 0.0,
+           .max = 100.0});
+    s.add(&Params::endHeight,
+          {.key = "end_height",
+           .label = "End height",
+           .help = "No layer above this height over the base; 0 slices the whole part.",
+           .group = "Layers",
+           .level = ParamLevel::Advanced,
+           .min = 0.0,
+           .max = 1e6});
+  }
+
+  static void addShape(Schema<Params>& s) {
+    s.add(&Params::surface,
+          {.key = "surface",
+           .label = "Layers are",
+           .help = "Planes, or the surface of the substrate moved up along the build direction.",
+           .group = "Direction",
+           .choices = {{"planes", "Planes"}, {"substrate", "The substrate's surface"}}});
+    s.add(&Params::adaptive,
+          {.key = "adaptive_step",
+           .label = "Adaptive heights",
+           .help = "Planes come nearer where walls lean, so that neighbouring layers are nowhere "
+                   "farther apart than the step, within the layer heights of the process (Chalvin "
+                   "A6).",
+           .group = "Layers",
+           .enabledIf = "surface=planes"});
+    s.add(&Params::customDirection,
+          {.key = "custom_direction",
+           .label = "Own build direction",
+           .help = "Otherwise layers grow along the substrate's build direction.",
+           .group = "Direction",
+           .enabledIf = "surface=planes"});
+    s.add(&Params::direction, {.key = "direction",
+                               .label = "Build direction",
+                               .help = "In the part frame; any length.",
+                               .group = "Direction",
+                               .enabledIf = "custom_direction=true"});
   }
 };
 
@@ -65,24 +96,39 @@ public:
                                              const Value& values,
                                              const JobContext& context) const override {
     const Params params = Params::schema().read(values, "planar slicing");
+    if (params.surface == Surface::Substrate) {
+      const std::vector<toolpath::LayerLevel> levels =
+          toolpath::heightLevels(input.parts, *input.substrate, params.step.value(),
+                                 params.firstLayer, params.endHeight.value());
+      toolpath::SlicedLayers sliced =
+          toolpath::sliceByField(input.parts, toolpath::HeightField(*input.substrate, levels),
+                                 levels, *input.substrate, input.sampling, context);
+      sliced.curved = !input.substrate->isPlate();
+      return sliced;
+    }
     toolpath::PlaneStackOptions options{params.step.value(), params.firstLayer,
                                         params.endHeight.value(), std::nullopt};
     if (params.customDirection) {
       options.direction = Vec3(params.direction[0], params.direction[1], params.direction[2]);
     }
-    const toolpath::PlaneStack stack = toolpath::planeStack(input.parts, *input.substrate, options);
+    const toolpath::PlaneStack stack =
+        params.adaptive ? toolpath::adaptivePlanes(input.parts, *input.substrate, options,
+                                                   input.bead, input.sampling, context)
+                        : toolpath::planeStack(input.parts, *input.substrate, options);
     return toolpath::sliceByField(input.parts, toolpath::PlaneField(stack), stack.levels,
                                   *input.substrate, input.sampling, context);
   }
 };
 
 void registerComponents(plugin::Registrar& registrar) {
-  registrar.addSlicing({.id = "wcam.slicing.planar",
-                        .name = "Planar slicing",
-                        .summary = "Parallel planes at a constant step, in any build direction.",
-                        .version = 1,
-                        .params = Params::schema().params()},
-                       [] { return std::make_unique<PlanarSlicing>(); });
+  registrar.addSlicing(
+      {.id = "wcam.slicing.planar",
+       .name = "Planar slicing",
+       .summary = "Parallel planes at a constant step or at adaptive heights, in any build "
+                  "direction; or the substrate's surface moved up.",
+       .version = 1,
+       .params = Params::schema().params()},
+      [] { return std::make_unique<PlanarSlicing>(); });
 }
 
 }  // namespace
