@@ -32,6 +32,33 @@ std::vector<Vec3> buildDirections(const std::vector<ContourPoint>& points,
   return directions;
 }
 
+/// H = D·cos θ, θ between the step along the generatrix and b (Diourté M23). Where generatrices run
+/// together the path has no direction of its own and the step itself is the height.
+double depositHeight(const Vec3& step, const Vec3& b) {
+  constexpr double kNoDirection = 0.2;
+  const double height = step.dot(b);
+  return height > kNoDirection * step.norm() ? height : step.norm();
+}
+
+/// Drops points that coincide with the one before, as filled generatrices with a common end give.
+void dropCoincident(Contour& contour, double apart) {
+  std::vector<ContourPoint> points;
+  std::vector<std::size_t> turns;
+  std::size_t turn = 0;
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    const bool begins = turn < contour.turns.size() && contour.turns[turn] == i;
+    if (begins) {
+      turns.push_back(points.size());
+      ++turn;
+    }
+    if (begins || points.empty() || (points.back().p - contour.points[i].p).norm() > apart) {
+      points.push_back(contour.points[i]);
+    }
+  }
+  contour.points = std::move(points);
+  contour.turns = std::move(turns);
+}
+
 void reportHeights(const SpiralPlan& plan,
                    const SpiralWish& wish,
                    const std::vector<ContourPoint>& points,
@@ -100,13 +127,16 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
   }
   const std::vector<Vec3> up = buildDirections(contour.points, turns);
   for (std::size_t i = 0; i < contour.points.size(); ++i) {
-    contour.points[i].height = steps[i].dot(up[i]);
+    contour.points[i].height = depositHeight(steps[i], up[i]);
   }
   if (wish.end == SpiralEnd::Mirrored && contour.points.size() > 1) {
     contour.points.back().height = contour.points[contour.points.size() - 2].height;
   }
   contour.turns = turns;
   reportHeights(plan, wish, contour.points, turns, context);
+  // A small part of a layer: nothing that a robot or a bead could tell apart.
+  constexpr double kCoincident = 1e-4;
+  dropCoincident(contour, kCoincident * wish.height);
   Vec3 mean = Vec3::Zero();
   for (const Vec3& b : up) {
     mean += b;

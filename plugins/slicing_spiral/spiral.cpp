@@ -6,6 +6,7 @@
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/refine.hpp"
 #include "wcam/plugin/plugin.hpp"
+#include "wcam/toolpath/wall.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -202,50 +203,6 @@ const Schema<Params>& Params::schema() {
   throw Error(ErrorCode::JobFailed, message, "continuous spiral", hint);
 }
 
-/// Mean height of a loop above the substrate and its spread.
-struct LoopHeight {
-  double mean = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-};
-
-LoopHeight heightOf(const std::vector<std::uint32_t>& loop,
-                    const geometry::TriangleMesh& mesh,
-                    const toolpath::Substrate& substrate) {
-  LoopHeight height{0.0, std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
-  for (const std::uint32_t v : loop) {
-    const double h = substrate.heightAbove(mesh.vertices[v]);
-    height.mean += h / static_cast<double>(loop.size());
-    height.low = std::min(height.low, h);
-    height.high = std::max(height.high, h);
-  }
-  return height;
-}
-
-toolpath::WallLimits limitsOf(const geometry::PartSurface& part,
-                              const toolpath::Substrate& substrate) {
-  const auto loops = part.halfEdges.borderLoops(part.mesh);
-  if (loops.empty()) {
-    refuse("the part is a closed surface without a border",
-           "a spiral runs on a shell: select the faces of the wall without bottom and top");
-  }
-  if (loops.size() > 2) {
-    refuse("the part has " + std::to_string(loops.size()) + " borders; a spiral needs one or two",
-           "close holes, or slice branches with the strategy for branches");
-  }
-  toolpath::WallLimits limits;
-  std::size_t lower = 0;
-  if (loops.size() == 2) {
-    const LoopHeight first = heightOf(loops[0], part.mesh, substrate);
-    const LoopHeight second = heightOf(loops[1], part.mesh, substrate);
-    lower = first.mean <= second.mean ? 0 : 1;
-    limits.upper = loops[1 - lower];
-  }
-  limits.lower = loops[lower];
-  return limits;
-}
-
 toolpath::SpiralWish wishOf(const Params& params, const toolpath::WallLimits& limits) {
   // The range that the process of the thesis guarantees (Diourté 3.2).
   constexpr double kGuaranteed = 0.1;
@@ -321,9 +278,10 @@ public:
     const double edge = params.edge.value() > 0.0
                             ? params.edge.value()
                             : geometry::fieldEdgeLength(part, kLayersPerEdge * params.step.value());
-    const geometry::PartSurface fine =
-        geometry::refineSurface(part, edge, context.portion(0.0, 0.3, "refinement"));
-    const toolpath::WallLimits limits = limitsOf(fine, *input.substrate);
+    const toolpath::WallPart wall =
+        toolpath::prepareWall(part, *input.substrate, edge, context.portion(0.0, 0.3, "wall"));
+    const geometry::PartSurface& fine = wall.surface;
+    const toolpath::WallLimits& limits = wall.limits;
     const toolpath::SpiralWish wish = wishOf(params, limits);
     if (params.form == Form::Field) {
       return toolpath::spiralOnField(fine, limits, wish, input.sampling,

@@ -213,9 +213,13 @@ TEST(SpiralSlicing, BadPartsAreRefusedWithTheReason) {
     }
     return std::string("accepted");
   };
-  EXPECT_NE(message(test::meshSurface(test::torusMesh(50, 15, 24, 48)), R"({"step": 2.0})")
-                .find("closed surface without a border"),
-            std::string::npos);
+  geometry::TriangleMesh ring = test::torusMesh(50, 15, 24, 48);
+  for (Vec3& p : ring.vertices) {
+    p.z() += 15.0;
+  }
+  EXPECT_NE(
+      message(test::meshSurface(ring), R"({"step": 2.0})").find("closed surface without a border"),
+      std::string::npos);
   EXPECT_NE(message(test::meshSurface(test::tubeMesh(25.0, 5.0, 64, 5)), R"({"step": 2.0})")
                 .find("too short"),
             std::string::npos);
@@ -229,6 +233,150 @@ TEST(SpiralSlicing, BadPartsAreRefusedWithTheReason) {
     return std::all_of(t.begin(), t.end(), [](std::uint32_t v) { return v % 64 < 2; });
   });
   EXPECT_NE(message(test::meshSurface(slit), R"({"step": 2.0})"), "accepted");
+}
+
+TEST(SpiralSlicing, PartThatPassesThroughThePlateIsCutThere) {
+  const auto part = test::meshSurface(test::tubeMesh(25.0, 100.0, 96, 30));
+  plugin::SliceInput input{{part}, test::plate(40.3), nullptr, {0.05, 4.9}};
+  const JobContext context;
+  const SlicedLayers sliced =
+      test::slice("wcam.slicing.spiral", input, R"({"step": 2.0, "start": "ramp"})", context);
+  const Contour& bead = sliced.layers.front().contours.front();
+  for (const ContourPoint& point : bead.points) {
+    EXPECT_GE(point.p.z(), 40.3 - 1e-6);
+  }
+  EXPECT_NEAR(bead.points.back().p.z(), 100.0, 1e-9);
+  for (const Diagnostic& finding : context.diagnostics().items()) {
+    for (const auto& [name, value] : finding.data) {
+      if (name == "shortest_mm") {
+        EXPECT_NEAR(value, 59.7, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(SpiralSlicing, GapsOfShortestPathsAreFilledWhereTheTextSaysSo) {
+  // A14: none on a cylinder; some on a slender tube with a top slanted by β when
+  // tan β·(H + R·tan β) > R.
+  const auto filled = [](double radius, double height, double beta) {
+    geometry::TriangleMesh mesh = test::tubeMesh(radius, 1.0, 96, 80);
+    for (Vec3& p : mesh.vertices) {
+      p.z() *= height + p.x() * std::tan(beta);
+    }
+    return spiral(test::meshSurface(mesh),
+                  R"({"step": 1.0, "decomposition": "geodesic", "infeasible": "report",
+                      "start": "ramp", "generatrices": 120})")
+        .number("filled");
+  };
+  EXPECT_EQ(filled(10.0, 60.0, 0.0), 0.0);
+  EXPECT_GT(filled(10.0, 60.0, degToRad(15.0)), 0.0);
+}
+
+TEST(SpiralSlicing, OverhangIsRefusedByTheEnvelopeOnly) {
+  // A7: a tube with a lip that turns outwards and down again.
+  geometry::TriangleMesh mesh = test::tubeMesh(20.0, 60.0, 96, 60);
+  for (Vec3& p : mesh.vertices) {
+    const double s = p.z();
+    const double angle = std::atan2(p.y(), p.x());
+    // Straight to 25 mm, then an arc of radius 8 over 230 degrees: up, outwards, down.
+    const double bend = std::clamp((s - 25.0) / 8.0, 0.0, degToRad(230.0));
+    const double radius = 20.0 + 8.0 * (1.0 - std::cos(bend));
+    const double z = std::min(s, 25.0) + 8.0 * std::sin(bend);
+    p = Vec3(radius * std::cos(angle), radius * std::sin(angle), z);
+  }
+  std::erase_if(mesh.triangles, [](const auto& t) {
+    return std::any_of(t.begin(), t.end(), [](std::uint32_t v) { return v / 96 > 57; });
+  });
+  const auto part = test::meshSurface(mesh);
+  try {
+    (void)spiral(part, R"({"step": 1.5, "decomposition": "envelope"})");
+    FAIL() << "must refuse";
+  } catch (const Error& error) {
+    EXPECT_NE(error.message().find("overhang"), std::string::npos) << error.message();
+  }
+  for (const std::string method : {"isovalues", "geodesic"}) {
+    const Spiral result = spiral(part, R"({"step": 1.5, "decomposition": ")" + method + R"("})");
+    EXPECT_NEAR(result.number("shortest_mm"), result.number("longest_mm"), 0.05) << method;
+  }
+}
+
+TEST(SpiralSlicing, FieldFormAgreesWithTheGeneratrices) {
+  for (const std::string name : {"trunk_surrogate.wsurf", "vase.wsurf"}) {
+    SCOPED_TRACE(name);
+    const Spiral curves = spiral(formulaPart(name), R"({"step": 2.0})");
+    const Spiral field = spiral(formulaPart(name), R"({"step": 2.0, "form": "field"})");
+    EXPECT_NEAR(field.number("revolutions"), curves.number("revolutions"), 1.0);
+    EXPECT_NEAR(field.number("deposit_min_mm"), curves.number("deposit_min_mm"), 0.03);
+    EXPECT_NEAR(field.number("deposit_max_mm"), curves.number("deposit_max_mm"), 0.03);
+    // Every point of the one lies between the revolutions of the other: no jump, one bead.
+    const Contour& bead = field.bead();
+    const std::size_t from =
+        bead.turns[static_cast<std::size_t>(field.number("start_revolutions"))];
+    const std::size_t to =
+        bead.turns[bead.turns.size() - static_cast<std::size_t>(field.number("end_revolutions"))];
+    for (std::size_t i = from + 1; i < to; ++i) {
+      ASSERT_LT((bead.points[i].p - bead.points[i - 1].p).norm(), 5.5) << i;
+    }
+  }
+}
+
+TEST(SpiralSlicing, HeightsRepeatFromRevolutionToRevolution) {
+  // A29, and A28: H ≤ D.
+  const Spiral result = spiral(formulaPart("trunk_surrogate.wsurf"), R"({"step": 2.0})");
+  const Contour& bead = result.bead();
+  const auto first = static_cast<std::size_t>(result.number("start_revolutions"));
+  const auto last = bead.turns.size() - static_cast<std::size_t>(result.number("end_revolutions"));
+  const auto around = bead.turns[1];
+  for (std::size_t k = first + 1; k < last; ++k) {
+    for (std::size_t i = 1; i + 1 < around; ++i) {
+      const double here = bead.points[bead.turns[k] + i].height;
+      EXPECT_NEAR(here, bead.points[bead.turns[k - 1] + i].height, 2e-3);
+      EXPECT_LE(here, result.number("deposit_max_mm") + 1e-9);
+    }
+  }
+}
+
+TEST(SpiralSlicing, SurfaceThroughThePathStaysNearThePart) {
+  // A30: the surface through the path's points within 0.2 mm of the part; chords within s²/(8R).
+  const Spiral result = spiral(formulaPart("trunk_surrogate.wsurf"), R"({"step": 2.0})");
+  const Contour& bead = result.bead();
+  const auto around = bead.turns[1];
+  const double R = 165.0 * 19.0 / 13.0;
+  for (std::size_t k = 1; k + 1 < bead.turns.size(); ++k) {
+    for (std::size_t i = 0; i < around; ++i) {
+      const Vec3 middle = 0.25 * (bead.points[bead.turns[k] + i].p +
+                                  bead.points[bead.turns[k] + (i + 1) % around].p +
+                                  bead.points[bead.turns[k - 1] + i].p +
+                                  bead.points[bead.turns[k - 1] + (i + 1) % around].p);
+      const double ring = std::hypot(middle.x() + R, middle.z()) - R;
+      EXPECT_NEAR(std::hypot(ring, middle.y()), 19.0, 0.2);
+    }
+  }
+}
+
+TEST(SpiralSlicing, MirrorSymmetricDomeClosesInItsPlane) {
+  // A13: the closure of a symmetric part lies within a mesh edge of the symmetry plane.
+  geometry::TriangleMesh mesh = test::tubeMesh(1.0, 1.0, 96, 60);
+  for (Vec3& p : mesh.vertices) {
+    const double polar = 0.5 * kPi * p.z();
+    const double angle = std::atan2(p.y(), p.x());
+    p = Vec3(40.0 * std::cos(polar) * std::cos(angle) - 25.0 * std::pow(std::sin(polar), 2),
+             40.0 * std::cos(polar) * std::sin(angle), 60.0 * std::sin(polar));
+  }
+  // The top ring is one point.
+  const auto top = static_cast<std::uint32_t>(60 * 96);
+  for (auto& triangle : mesh.triangles) {
+    for (std::uint32_t& v : triangle) {
+      v = v > top ? top : v;
+    }
+  }
+  mesh.vertices.resize(top + 1);
+  std::erase_if(mesh.triangles,
+                [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  const Spiral result = spiral(test::meshSurface(mesh),
+                               R"({"step": 2.0, "height_min": 1.2, "height_max": 2.8,
+                                   "infeasible": "report"})");
+  EXPECT_NEAR(result.bead().points.back().p.y(), 0.0, 2.0);
 }
 
 TEST(SpiralSlicing, ResultDoesNotDependOnThreads) {
