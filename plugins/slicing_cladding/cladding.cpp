@@ -111,6 +111,10 @@ const Schema<Params>& Params::schema() {
   return schema;
 }
 
+/// On meshes the torch follows the mean normal over this many bead distances: finer facets are
+/// those of the file, not of the part.
+constexpr double kSmoothing = 0.5;
+
 /// Traces of the levels, not cut by the substrate: what is clad is itself what beads stand on.
 std::vector<std::vector<Contour>> byLevel(const SlicedLayers& sliced,
                                           const std::vector<LayerLevel>& levels) {
@@ -178,7 +182,8 @@ private:
     const SlicedLayers sliced = toolpath::sliceByField(
         {input_.parts[part]}, toolpath::PlaneField(planes.stack), planes.stack.levels, below_,
         input_.sampling, context_.withOwnDiagnostics());
-    std::vector<SurfaceCurve> curves = curvesOf(byLevel(sliced, planes.stack.levels), margin_);
+    std::vector<SurfaceCurve> curves =
+        curvesOf(byLevel(sliced, planes.stack.levels), margin_, part);
     if (params_.pattern == Pattern::Zigzag) {
       constexpr double kReach = 2.0;
       curves = zigzag(curves, geometry::AabbTree(surface.mesh), kReach * spacing_,
@@ -224,15 +229,19 @@ private:
     const SlicedLayers sliced =
         toolpath::sliceByField({fine}, toolpath::VertexField{{std::move(distance)}}, levels, below_,
                                input_.sampling, context_.withOwnDiagnostics());
-    return curvesOf(byLevel(sliced, levels), 0.0);
+    return curvesOf(byLevel(sliced, levels), 0.0, part);
   }
 
   [[nodiscard]] std::vector<SurfaceCurve> curvesOf(const std::vector<std::vector<Contour>>& traces,
-                                                   double trim) const {
+                                                   double trim,
+                                                   std::size_t part) const {
     std::vector<SurfaceCurve> curves;
     for (std::size_t line = 0; line < traces.size(); ++line) {
       for (const Contour& contour : traces[line]) {
-        SurfaceCurve curve = toCurve(contour, line);
+        SurfaceCurve curve = toCurve(contour, line, input_.sampling.chordError);
+        if (!input_.parts[part]->exact()) {
+          smoothNormals(curve, kSmoothing * spacing_);
+        }
         trimEnds(curve, trim);
         if (curve.points.size() > 1 && curveLength(curve) >= minLength_) {
           curves.push_back(std::move(curve));

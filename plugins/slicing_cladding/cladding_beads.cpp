@@ -9,15 +9,75 @@
 
 namespace wcam::cladding {
 
-SurfaceCurve toCurve(const toolpath::Contour& contour, std::size_t line) {
+SurfaceCurve toCurve(const toolpath::Contour& contour, std::size_t line, double merge) {
   SurfaceCurve curve;
   curve.closed = contour.closed;
   curve.line = line;
-  for (const toolpath::ContourPoint& point : contour.points) {
+  const std::size_t n = contour.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const toolpath::ContourPoint& point = contour.points[i];
+    const bool near = !curve.points.empty() && (point.p - curve.points.back()).norm() < merge;
+    const bool last = i + 1 == n && !contour.closed;
+    if (near && last && curve.points.size() > 1) {
+      // The end of an open curve stays; the point before it goes.
+      curve.points.pop_back();
+      curve.normals.pop_back();
+    } else if (near && !last) {
+      continue;
+    }
     curve.points.push_back(point.p);
     curve.normals.push_back(point.n);
   }
   return curve;
+}
+
+void smoothNormals(SurfaceCurve& curve, double distance) {
+  const std::size_t n = curve.points.size();
+  if (n < 3) {
+    return;
+  }
+  const auto length = [&](std::size_t i) {
+    return (curve.points[(i + 1) % n] - curve.points[i]).norm();
+  };
+  // Share of the curve that a point stands for.
+  std::vector<double> share(n, 0.0);
+  const std::size_t edges = curve.closed ? n : n - 1;
+  for (std::size_t i = 0; i < edges; ++i) {
+    share[i] += 0.5 * length(i);
+    share[(i + 1) % n] += 0.5 * length(i);
+  }
+  std::vector<Vec3> smooth(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    Vec3 sum = share[i] * curve.normals[i];
+    // On an open curve both sides reach equally far, or the mean would lean inwards.
+    double reach = distance;
+    for (const bool forward : {true, false}) {
+      double room = 0.0;
+      for (std::size_t k = i; !curve.closed && room < distance && (forward ? k + 1 < n : k > 0);) {
+        room += length(forward ? k : k - 1);
+        k = forward ? k + 1 : k - 1;
+      }
+      reach = curve.closed ? reach : std::min(reach, room);
+    }
+    for (const bool forward : {true, false}) {
+      double way = 0.0;
+      std::size_t k = i;
+      for (std::size_t steps = 0; steps + 1 < n; ++steps) {
+        if (!curve.closed && (forward ? k + 1 >= n : k == 0)) {
+          break;
+        }
+        const std::size_t next = forward ? (k + 1) % n : (k + n - 1) % n;
+        way += length(forward ? k : next);
+        if (way > reach) {
+          break;
+        }
+        sum += share[next] * curve.normals[next];
+        k = next;
+      }
+    }
+    smooth[i] = sum.norm() > 0.0 ? Vec3(sum.normalized()) : curve.normals[i];
+  }
+  curve.normals = std::move(smooth);
 }
 
 double curveLength(const SurfaceCurve& curve) {
@@ -159,17 +219,21 @@ toolpath::Contour raised(const SurfaceCurve& curve,
   }
   const auto before = [&](std::size_t i) { return i > 0 ? i - 1 : (curve.closed ? n - 1 : 0); };
   const auto after = [&](std::size_t i) { return i + 1 < n ? i + 1 : (curve.closed ? 0 : n - 1); };
+  const auto direction = [](const Vec3& d) {
+    return d.norm() > 0.0 ? Vec3(d.normalized()) : Vec3(Vec3::Zero());
+  };
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 on = curve.points[after(i)] - curve.points[before(i)];
-    const Vec3 t = points[after(i)] - points[before(i)];
-    folded += t.dot(on) < 0.0 ? 1U : 0U;
+    const Vec3 moved = points[after(i)] - points[before(i)];
+    folded += moved.dot(on) < 0.0 ? 1U : 0U;
+    // Halfway between both directions: within a right angle of every tangent at a corner.
+    const Vec3 ahead = direction(curve.points[after(i)] - curve.points[i]);
+    Vec3 t = direction(curve.points[i] - curve.points[before(i)]) + ahead;
+    constexpr double kTurnsBack = 1e-6;
+    t = t.norm() > kTurnsBack ? t : ahead;
     const Vec3& normal = curve.normals[i];
-    Vec3 across = normal.cross(on);
-    // A curve that turns back on itself has no direction: any one across the normal will do.
-    constexpr double kNoDirection = 1e-9;
-    across = across.norm() > kNoDirection * on.norm() && across.norm() > 0.0
-                 ? Vec3(across.normalized())
-                 : normal.unitOrthogonal();
+    Vec3 across = normal.cross(t);
+    across = across.norm() > kTurnsBack ? Vec3(across.normalized()) : normal.unitOrthogonal();
     contour.points.push_back({points[i], across, layerHeight, width});
   }
   return contour;

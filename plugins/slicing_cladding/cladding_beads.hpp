@@ -20,7 +20,12 @@ struct SurfaceCurve {
   std::size_t line = 0;  ///< number of the trace
 };
 
-SurfaceCurve toCurve(const toolpath::Contour& contour, std::size_t line);
+/// @param merge points nearer than this to the one before go (their direction is rounding), mm
+SurfaceCurve toCurve(const toolpath::Contour& contour, std::size_t line, double merge);
+
+/// Each normal becomes the mean over the curve within this distance on both sides, weighted by
+/// length: facets of a mesh, and slivers above all, have normals that the surface does not have.
+void smoothNormals(SurfaceCurve& curve, double distance);
 
 /// Takes a length off both ends of an open curve; what is left may be empty.
 void trimEnds(SurfaceCurve& curve, double length);
