@@ -183,23 +183,34 @@ private:
 }  // namespace
 
 IntrinsicMesh::IntrinsicMesh(const TriangleMesh& mesh, const HalfEdges& halfEdges) {
-  layFlat(mesh);
+  findCurvature(layFlat(mesh), halfEdges, mesh);
   flipSlivers(halfEdges);
   collectCorners(mesh.vertices.size());
-  findCurvature(halfEdges, mesh);
 }
 
-void IntrinsicMesh::layFlat(const TriangleMesh& mesh) {
-  triangles_.resize(mesh.triangles.size());
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    FlatTriangle& t = triangles_[i];
-    t.corner = mesh.triangles[i];
-    const Vec3& p = mesh.vertices[t.corner[0]];
-    const Vec3 a = mesh.vertices[t.corner[1]] - p;
-    const Vec3 b = mesh.vertices[t.corner[2]] - p;
-    t.square = {a.squaredNorm(), (b - a).squaredNorm(), b.squaredNorm()};
-    t.twiceArea = a.cross(b).norm();
+std::vector<IntrinsicMesh::Cell> IntrinsicMesh::layFlat(const TriangleMesh& mesh) {
+  std::vector<Cell> cells(mesh.vertices.size());
+  triangles_.reserve(mesh.triangles.size());
+  double sum = 0.0;
+  for (const auto& corner : mesh.triangles) {
+    const Vec3& p = mesh.vertices[corner[0]];
+    const Vec3 a = mesh.vertices[corner[1]] - p;
+    const Vec3 b = mesh.vertices[corner[2]] - p;
+    const FlatTriangle t{
+        corner, {a.squaredNorm(), (b - a).squaredNorm(), b.squaredNorm()}, a.cross(b).norm()};
+    triangles_.push_back(t);
+    sum += t.square[0] + t.square[1] + t.square[2];
+    const double first = angleOf(t.twiceArea, t.dotAt(0));
+    const double second = angleOf(t.twiceArea, t.dotAt(1));
+    const std::array<double, 3> angle = {first, second, kPi - first - second};
+    for (std::size_t c = 0; c < 3; ++c) {
+      cells[corner[c]].angle += angle[c];
+      cells[corner[c]].area += t.twiceArea / 6.0;
+    }
   }
+  typicalEdge_ =
+      triangles_.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(3 * triangles_.size()));
+  return cells;
 }
 
 void IntrinsicMesh::flipSlivers(const HalfEdges& halfEdges) {
@@ -232,38 +243,20 @@ void IntrinsicMesh::collectCorners(std::size_t vertices) {
   }
   corners_.resize(3 * triangles_.size());
   std::vector<std::uint32_t> fill(firstCorner_.begin(), firstCorner_.end() - 1);
-  double sum = 0.0;
   double longest = 0.0;
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const FlatTriangle& flat = triangles_[t];
     for (std::uint32_t c = 0; c < 3; ++c) {
       corners_[fill[flat.corner[c]]++] = 3 * t + c;
     }
-    sum += flat.square[0] + flat.square[1] + flat.square[2];
     longest = std::max({longest, flat.square[0], flat.square[1], flat.square[2]});
   }
   longestEdge_ = std::sqrt(longest);
-  typicalEdge_ =
-      triangles_.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(3 * triangles_.size()));
 }
 
-void IntrinsicMesh::findCurvature(const HalfEdges& halfEdges, const TriangleMesh& mesh) {
-  struct Cell {
-    double angle = 0.0;
-    double area = 0.0;
-  };
-
-  std::vector<Cell> cells(vertexCount());
-  for (const FlatTriangle& t : triangles_) {
-    const double first = angleOf(t.twiceArea, t.dotAt(0));
-    const double second = angleOf(t.twiceArea, t.dotAt(1));
-    const std::array<double, 3> angle = {first, second, kPi - first - second};
-    const double third = t.twiceArea / 6.0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      cells[t.corner[c]].angle += angle[c];
-      cells[t.corner[c]].area += third;
-    }
-  }
+void IntrinsicMesh::findCurvature(const std::vector<Cell>& cells,
+                                  const HalfEdges& halfEdges,
+                                  const TriangleMesh& mesh) {
   curvature_.resize(cells.size());
   bends_.assign(cells.size(), 0);
   for (std::size_t v = 0; v < cells.size(); ++v) {

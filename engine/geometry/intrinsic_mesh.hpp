@@ -66,10 +66,18 @@ public:
   [[nodiscard]] std::size_t flips() const noexcept { return flips_; }
 
 private:
-  void layFlat(const TriangleMesh& mesh);
+  /// What surrounds a vertex: the sum of its corners' angles and a third of its triangles' area.
+  struct Cell {
+    double angle = 0.0;
+    double area = 0.0;
+  };
+
+  std::vector<Cell> layFlat(const TriangleMesh& mesh);
   void flipSlivers(const HalfEdges& halfEdges);
   void collectCorners(std::size_t vertices);
-  void findCurvature(const HalfEdges& halfEdges, const TriangleMesh& mesh);
+  void findCurvature(const std::vector<Cell>& cells,
+                     const HalfEdges& halfEdges,
+                     const TriangleMesh& mesh);
 
   std::vector<FlatTriangle> triangles_;
   std::vector<std::uint32_t> firstCorner_;
