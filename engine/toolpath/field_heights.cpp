@@ -97,6 +97,7 @@ void setFieldHeights(SlicedLayers& sliced,
 void reportHeights(const SlicedLayers& sliced,
                    const BeadRange& bead,
                    double step,
+                   const std::string& otherwise,
                    const JobContext& context) {
   double least = std::numeric_limits<double>::infinity();
   double greatest = 0.0;
@@ -137,8 +138,7 @@ void reportHeights(const SlicedLayers& sliced,
       from <= to
           ? "a step between " + formatFixed(from, 2) + " and " + formatFixed(to, 2) + " mm would do"
           : "the part needs a process whose greatest height is " +
-                formatFixed(greatest / least, 2) +
-                " times the least one, or a cut into pieces with steps of their own";
+                formatFixed(greatest / least, 2) + " times the least one; " + otherwise;
   context.add({Severity::Warning,
                "slicing.height_out_of_range",
                formatFixed(100.0 * static_cast<double>(outside) / static_cast<double>(all), 1) +
@@ -152,6 +152,30 @@ void reportHeights(const SlicedLayers& sliced,
                 {"least_mm", least},
                 {"greatest_mm", greatest},
                 {"excess_mm", worst}}});
+}
+
+void reportDownward(const SlicedLayers& sliced, const Vec3& up, const JobContext& context) {
+  // A layer that leans by less than 6° below the horizon is as good as a level one.
+  constexpr double kHorizon = -0.1;
+  std::size_t count = 0;
+  std::size_t first = 0;
+  for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
+    if (sliced.layers[l].up.dot(up) < kHorizon) {
+      first = count == 0 ? l : first;
+      ++count;
+    }
+  }
+  if (count > 0) {
+    const Vec3& p = sliced.layers[first].contours.front().points.front().p;
+    context.add({Severity::Warning,
+                 "slicing.grows_down",
+                 std::to_string(count) + " layers grow downwards, the first at (" +
+                     formatFixed(p.x(), 1) + ", " + formatFixed(p.y(), 1) + ", " +
+                     formatFixed(p.z(), 1) + ")",
+                 "turn the part with a positioner, or let planes across the build direction cut it",
+                 {{}, static_cast<int>(first), -1, -1},
+                 {{"layers", static_cast<double>(count)}}});
+  }
 }
 
 }  // namespace wcam::toolpath

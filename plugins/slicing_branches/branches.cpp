@@ -118,7 +118,10 @@ public:
     }
     toolpath::SlicedLayers sliced = branches::arrange(std::move(pieces), params.order);
     sliced.curved = params.field != Field::Height;
-    toolpath::reportHeights(sliced, input.bead, options.step, context);
+    toolpath::reportHeights(sliced, input.bead, options.step,
+                            "layers that follow the distance from the base keep the height best",
+                            context);
+    toolpath::reportDownward(sliced, input.substrate->up(), context);
     return sliced;
   }
 };

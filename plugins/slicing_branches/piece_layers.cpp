@@ -30,6 +30,9 @@ using toolpath::SlicedLayer;
 /// Levels nearer to the end of a piece than this part of a step lie on it.
 constexpr double kOnEnd = 1e-6;
 
+/// The field is smooth over many layers: the mesh resolves the shape, not the layers.
+constexpr double kLayersPerEdge = 2.0;
+
 /// One part on its way to layers.
 class PartSlicer {
 public:
@@ -68,8 +71,9 @@ private:
       }
       return;
     }
-    const double edge =
-        options_.edge > 0.0 ? options_.edge : geometry::fieldEdgeLength(part, options_.step);
+    const double edge = options_.edge > 0.0
+                            ? options_.edge
+                            : geometry::fieldEdgeLength(part, kLayersPerEdge * options_.step);
     wall_ = toolpath::openWall(
         geometry::refineSurface(part, edge, context_.portion(0.0, 0.2, "refinement")),
         *input_.substrate);

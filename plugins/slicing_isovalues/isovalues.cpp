@@ -83,6 +83,9 @@ const Schema<Params>& Params::schema() {
   return schema;
 }
 
+/// The field is smooth over many layers: the mesh resolves the shape, not the layers.
+constexpr double kLayersPerEdge = 2.0;
+
 class IsoValueSlicing : public plugin::SlicingStrategy {
 public:
   [[nodiscard]] toolpath::SlicedLayers slice(const plugin::SliceInput& input,
@@ -103,9 +106,10 @@ public:
       const JobContext portion = context.portion(
           0.6 * static_cast<double>(k) / static_cast<double>(input.parts.size()),
           0.6 * static_cast<double>(k + 1) / static_cast<double>(input.parts.size()), "field");
-      const double edge = params.edge.value() > 0.0
-                              ? params.edge.value()
-                              : geometry::fieldEdgeLength(*input.parts[k], params.step.value());
+      const double edge =
+          params.edge.value() > 0.0
+              ? params.edge.value()
+              : geometry::fieldEdgeLength(*input.parts[k], kLayersPerEdge * params.step.value());
       auto wall = std::make_shared<const geometry::PartSurface>(toolpath::openWall(
           geometry::refineSurface(*input.parts[k], edge, portion), *input.substrate));
       toolpath::IsoField iso = toolpath::isoValueField(*wall, *input.substrate, options, portion);
@@ -120,7 +124,12 @@ public:
                                context.portion(0.6, 0.9, "slicing"));
     sliced.curved = true;
     toolpath::setFieldHeights(sliced, walls, field, options.step);
-    toolpath::reportHeights(sliced, input.bead, options.step, context);
+    toolpath::reportHeights(
+        sliced, input.bead, options.step,
+        "a larger share of distances spreads the heights more evenly, and branches get steps of "
+        "their own with the strategy for branching parts",
+        context);
+    toolpath::reportDownward(sliced, input.substrate->up(), context);
     context.report(1.0);
     return sliced;
   }

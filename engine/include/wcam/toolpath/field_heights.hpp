@@ -6,6 +6,7 @@
 #include "wcam/toolpath/slice_field.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace wcam::toolpath {
@@ -20,10 +21,16 @@ void setFieldHeights(SlicedLayers& sliced,
 
 /// Looks whether all heights lie within what the process can deposit. Finding
 /// slicing.height_out_of_range: how many points, the worst place and by how much, and a step that
-/// would do, or the range that the part needs when none does.
+/// would do, or the ratio of heights that the part needs when none does.
+/// @param otherwise what to try when no step would do
 void reportHeights(const SlicedLayers& sliced,
                    const BeadRange& bead,
                    double step,
+                   const std::string& otherwise,
                    const JobContext& context);
+
+/// Finding slicing.grows_down: layers whose mean direction of growth points below the horizon, as
+/// where a distance reaches over the top of a part and down again.
+void reportDownward(const SlicedLayers& sliced, const Vec3& up, const JobContext& context);
 
 }  // namespace wcam::toolpath
