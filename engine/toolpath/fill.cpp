@@ -247,11 +247,18 @@ private:
         continue;
       }
       const std::size_t before = result_.beads.size();
-      for (const AxisBranch& branch :
-           geometry::medialAxis(piece, {kAxisTolerance * spacing_, kLeastTurn})) {
-        layOnAxis(branch, level);
+      // Most pieces are slivers beside curved borders, and a medial axis is dear: an area over its
+      // border tells the mean thickness, which a place for a bead does not exceed many times.
+      constexpr double kThickest = 3.0;
+      const bool thin = level > 0 && kThickest * 2.0 * piece.area() <
+                                         thicknessOf(o_.minWidth, level) * piece.perimeter();
+      if (!thin && piece.bounds().diagonal() >= o_.minLength) {
+        for (const AxisBranch& branch :
+             geometry::medialAxis(piece, {kAxisTolerance * spacing_, kLeastTurn})) {
+          layOnAxis(branch, level);
+        }
       }
-      if (result_.beads.size() == before) {
+      if (!thin && result_.beads.size() == before) {
         // A square or round place has an axis too short for a bead, but may take a small contour.
         for (const Polyline2& loop :
              geometry::offsetRegion(piece, -0.5 * spacing_, offset_).loops) {

@@ -49,7 +49,9 @@ void smoothNormals(SurfaceCurve& curve, double distance) {
   std::vector<Vec3> smooth(n);
   for (std::size_t i = 0; i < n; ++i) {
     Vec3 sum = share[i] * curve.normals[i];
-    // On an open curve both sides reach equally far, or the mean would lean inwards.
+    // On an open curve both sides reach equally far, or the mean would lean inwards; at its ends a
+    // small lean is better than the normal of one facet.
+    constexpr double kLeastReach = 0.5;
     double reach = distance;
     for (const bool forward : {true, false}) {
       double room = 0.0;
@@ -59,6 +61,7 @@ void smoothNormals(SurfaceCurve& curve, double distance) {
       }
       reach = curve.closed ? reach : std::min(reach, room);
     }
+    reach = std::max(reach, kLeastReach * distance);
     for (const bool forward : {true, false}) {
       double way = 0.0;
       std::size_t k = i;
