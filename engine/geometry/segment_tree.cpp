@@ -79,20 +79,20 @@ std::uint32_t SegmentTree::buildNode(std::uint32_t begin, std::uint32_t end) {
   return index;
 }
 
-double SegmentTree::distance(const Vec3& p) const {
-  return find(p).distance;
+double SegmentTree::distance(const Vec3& p, double atMost) const {
+  return find(p, atMost).distance;
 }
 
 Vec3 SegmentTree::nearest(const Vec3& p) const {
   if (segments_.empty()) {
     return p;
   }
-  const auto& [a, b] = segments_[find(p).segment];
+  const auto& [a, b] = segments_[find(p, std::numeric_limits<double>::infinity()).segment];
   return a + footOn(p, a, b) * (b - a);
 }
 
-SegmentTree::Found SegmentTree::find(const Vec3& p) const {
-  Found best{std::numeric_limits<double>::infinity(), 0};
+SegmentTree::Found SegmentTree::find(const Vec3& p, double atMost) const {
+  Found best{atMost, 0};
   if (segments_.empty()) {
     return best;
   }

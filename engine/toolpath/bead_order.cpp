@@ -15,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A few points of a contour, enough to tell neighbours from far ones.
 std::vector<Vec3> samplesOf(const Contour& contour) {
-  constexpr std::size_t kSamples = 24;
+  constexpr std::size_t kSamples = 16;
   const std::size_t n = contour.points.size();
   std::vector<Vec3> samples;
   const std::size_t count = std::min(n, kSamples);
@@ -94,16 +94,32 @@ double BeadOrder::approach(const Contour& contour, bool& reversed) const {
   return reversed ? back : front;
 }
 
-/// Sum over the beads before of length · e^(−distance/reach) · e^(−length deposited since/cooling).
-double BeadOrder::heatAt(const Contour& contour) const {
-  const std::vector<Vec3> samples = samplesOf(contour);
-  double heat = 0.0;
-  for (const Deposited& bead : warm_) {
-    heat +=
-        bead.length * std::exp(-distanceBetween(samples, bead.samples) / params_.heatReach.value() -
-                               (length_ - bead.end) / params_.coolLength.value());
+double BeadOrder::heatFrom(const Deposited& bead, const std::vector<Vec3>& samples) const {
+  return bead.length *
+         std::exp(-distanceBetween(samples, bead.samples) / params_.heatReach.value() -
+                  (length_ - bead.end) / params_.coolLength.value());
+}
+
+/// What the beads before left at each contour: the sum of length · e^(−distance/reach) ·
+/// e^(−length deposited since/cooling).
+void BeadOrder::startHeat(const SlicedLayer& layer) {
+  heat_.assign(layer.contours.size(), 0.0);
+  samples_.clear();
+  for (std::size_t c = 0; c < layer.contours.size() && params_.order == OrderMode::ThermalSpread;
+       ++c) {
+    samples_.push_back(samplesOf(layer.contours[c]));
+    for (const Deposited& bead : warm_) {
+      heat_[c] += heatFrom(bead, samples_[c]);
+    }
   }
-  return heat;
+}
+
+/// The heat falls while a bead is deposited, and the bead adds its own.
+void BeadOrder::addHeat(const Deposited& bead) {
+  const double cooled = std::exp(-bead.length / params_.coolLength.value());
+  for (std::size_t c = 0; c < samples_.size(); ++c) {
+    heat_[c] = heat_[c] * cooled + heatFrom(bead, samples_[c]);
+  }
 }
 
 /// When the place below each contour was deposited.
@@ -148,7 +164,7 @@ BeadOrder::Candidate BeadOrder::next(const SlicedLayer& layer,
         cost = ranks[c];
         break;
       case OrderMode::ThermalSpread:
-        cost = heatAt(contour);
+        cost = heat_[c];
         break;
     }
     if (cost < bestCost) {
@@ -170,6 +186,7 @@ void BeadOrder::deposit(const Contour& contour) {
     std::erase_if(warm_, [&](const Deposited& old) {
       return length_ - old.end > kForgotten * params_.coolLength.value();
     });
+    addHeat(bead);
     warm_.push_back(std::move(bead));
   }
   lastEnd_ = contour.closed ? contour.points.front().p : contour.points.back().p;
@@ -180,6 +197,7 @@ std::vector<OrderedContour> BeadOrder::arrange(const SlicedLayer& layer,
                                                bool asGiven) {
   std::vector<OrderedContour> ordered;
   const std::vector<double> ranks = ranksOf(layer);
+  startHeat(layer);
   for (std::vector<std::size_t>& open : groupsOf(layer)) {
     while (!open.empty()) {
       const Candidate chosen =

@@ -48,16 +48,20 @@ private:
                                std::size_t layerIndex,
                                const std::vector<double>& ranks) const;
   [[nodiscard]] double approach(const Contour& contour, bool& reversed) const;
-  [[nodiscard]] double heatAt(const Contour& contour) const;
+  [[nodiscard]] double heatFrom(const Deposited& bead, const std::vector<Vec3>& samples) const;
+  void startHeat(const SlicedLayer& layer);
+  void addHeat(const Deposited& bead);
   [[nodiscard]] std::vector<double> ranksOf(const SlicedLayer& layer) const;
   void deposit(const Contour& contour);
 
   PathParams params_;
   SeamChooser seams_;
   std::optional<Vec3> lastEnd_;
-  std::vector<Deposited> below_;    ///< beads of the last layer that had some
-  std::vector<Deposited> current_;  ///< beads of the layer at work
-  std::vector<Deposited> warm_;     ///< beads whose heat still counts
+  std::vector<Deposited> below_;            ///< beads of the last layer that had some
+  std::vector<Deposited> current_;          ///< beads of the layer at work
+  std::vector<Deposited> warm_;             ///< beads whose heat still counts
+  std::vector<double> heat_;                ///< at each contour of the layer at work
+  std::vector<std::vector<Vec3>> samples_;  ///< of each of them
   double length_ = 0.0;
   std::size_t count_ = 0;
 };

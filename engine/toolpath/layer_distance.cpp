@@ -109,10 +109,12 @@ std::vector<double> revolutionDistance(const std::vector<Vec3>& points,
     if (revolution[i] < 1.0) {
       return;
     }
+    // The piece one revolution back first: it bounds the search in the others.
+    distance[i] = trees[pieceOf(revolution[i] - 1.0)].distance(points[i]);
     const std::size_t last = pieceOf(revolution[i] - kWindowEnd);
     for (std::size_t k = pieceOf(revolution[i] - kWindowBegin); k <= last && k < trees.size();
          ++k) {
-      distance[i] = std::min(distance[i], trees[k].distance(points[i]));
+      distance[i] = std::min(distance[i], trees[k].distance(points[i], distance[i]));
     }
   });
   return distance;

@@ -224,16 +224,29 @@ RingPlace SeamChooser::corner(const Contour& contour) const {
   const double same = degToRad(2.0);
   const double whole = ringLength(contour);
   const double window = std::min(kWindow, 0.1 * whole);
-  const auto at = [&](const RingPlace& place) {
-    const Vec3& a = ringPoint(contour, place.index);
-    return Vec3(a + place.fraction * (ringPoint(contour, place.index + 1) - a));
+  const std::size_t n = contour.points.size();
+  // Point at the window's length from a point on, forwards or backwards.
+  const auto ahead = [&](std::size_t from, bool forward) {
+    double rest = window;
+    std::size_t i = from;
+    for (std::size_t steps = 0; steps < n; ++steps) {
+      const std::size_t next = forward ? (i + 1) % n : (i + n - 1) % n;
+      const Vec3 way = contour.points[next].p - contour.points[i].p;
+      const double piece = way.norm();
+      if (rest < piece) {
+        return Vec3(contour.points[i].p + rest / piece * way);
+      }
+      rest -= piece;
+      i = next;
+    }
+    return contour.points[i].p;
   };
   std::vector<double> score(contour.points.size(), 0.0);
   double best = 0.0;
   for (std::size_t i = 0; i < contour.points.size(); ++i) {
     const Vec3& p = contour.points[i].p;
-    const Vec3 in = (p - at(placeAfter(contour, {i, 0.0}, whole - window))).normalized();
-    const Vec3 out = (at(placeAfter(contour, {i, 0.0}, window)) - p).normalized();
+    const Vec3 in = (p - ahead(i, false)).normalized();
+    const Vec3 out = (ahead(i, true) - p).normalized();
     const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
     if (turn >= least) {
       const bool concave = (out - in).dot(contour.points[i].n) > 0.0;
@@ -245,7 +258,7 @@ RingPlace SeamChooser::corner(const Contour& contour) const {
   if (best <= 0.0) {
     return fallback;
   }
-  const Vec3 wanted = at(fallback);
+  const Vec3 wanted = contour.points[fallback.index].p;
   std::size_t index = 0;
   double nearest = kInfinity;
   for (std::size_t i = 0; i < contour.points.size(); ++i) {

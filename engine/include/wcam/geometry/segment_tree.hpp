@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -24,8 +25,10 @@ public:
 
   [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
 
-  /// Distance to the nearest segment (feet inside, or its ends), infinity when there is none.
-  [[nodiscard]] double distance(const Vec3& p) const;
+  /// Distance to the nearest segment (feet inside, or its ends), infinity when there is none. What
+  /// is farther than `atMost` is not looked for: then this bound is the answer.
+  [[nodiscard]] double distance(const Vec3& p,
+                                double atMost = std::numeric_limits<double>::infinity()) const;
 
   /// Nearest point on the segments; p itself when there is none.
   [[nodiscard]] Vec3 nearest(const Vec3& p) const;
@@ -43,7 +46,7 @@ private:
     std::uint32_t segment;
   };
 
-  [[nodiscard]] Found find(const Vec3& p) const;
+  [[nodiscard]] Found find(const Vec3& p, double atMost) const;
   std::uint32_t buildNode(std::uint32_t begin, std::uint32_t end);
 
   std::vector<std::array<Vec3, 2>> segments_;
