@@ -126,9 +126,14 @@ std::vector<Diagnostic> Pipeline::validate() const {
     if (!strategy->info.needsFile && operation.parts.empty()) {
       problems.push_back({path + ".parts", "the strategy " + operation.strategy + " needs a part"});
     }
-    if (strategy->info.needsGuide && operation.guide.empty()) {
-      problems.push_back(
-          {path + ".guide", "the strategy " + operation.strategy + " needs a guide curve"});
+    const std::string& automatic = strategy->info.automaticGuide;
+    const bool ownGuide =
+        !automatic.empty() && operation.params.isObject() && operation.params.contains(automatic) &&
+        operation.params.at(automatic).isBool() && operation.params.at(automatic).asBool();
+    if (strategy->info.needsGuide && operation.guide.empty() && !ownGuide) {
+      problems.push_back({path + ".guide", "the strategy " + operation.strategy +
+                                               " needs a guide curve" +
+                                               (automatic.empty() ? "" : ", or set " + automatic)});
     }
   }
   for (std::size_t i = 0; i < project.outputs.size(); ++i) {

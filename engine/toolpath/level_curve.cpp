@@ -268,6 +268,43 @@ void LevelCurve::addSegment(const LevelContour& contour,
   segments_.push_back(segment);
 }
 
+Vec3 LevelCurve::onMeshEdge(std::uint32_t halfEdge, const Vec3& start) const {
+  const auto f = [&](const Vec3& p) { return field_->residual(p, level_); };
+  if (std::abs(f(start)) <= residualTolerance_) {
+    return start;
+  }
+  const auto& triangle = part_->mesh.triangles[halfEdge / 3];
+  Vec3 low = part_->mesh.vertices[triangle[halfEdge % 3]];
+  Vec3 high = part_->mesh.vertices[triangle[(halfEdge % 3 + 1) % 3]];
+  double fLow = f(low);
+  double fHigh = f(high);
+  if (!std::isfinite(fLow) || !std::isfinite(fHigh) || (fLow < 0.0) == (fHigh < 0.0)) {
+    return start;
+  }
+  // False position; halving an end's value when it stays (Illinois) keeps both ends moving.
+  Vec3 at = start;
+  int side = 0;
+  for (int i = 0; i < 60; ++i) {
+    at = low + fLow / (fLow - fHigh) * (high - low);
+    const double value = f(at);
+    if (std::abs(value) <= residualTolerance_) {
+      break;
+    }
+    if ((value < 0.0) == (fLow < 0.0)) {
+      low = at;
+      fLow = value;
+      fHigh *= side == -1 ? 0.5 : 1.0;
+      side = -1;
+    } else {
+      high = at;
+      fHigh = value;
+      fLow *= side == 1 ? 0.5 : 1.0;
+      side = 1;
+    }
+  }
+  return at;
+}
+
 std::size_t LevelCurve::assign(const LevelContour& contour) {
   closed_ = contour.closed;
   segments_.clear();
@@ -281,6 +318,8 @@ std::size_t LevelCurve::assign(const LevelContour& contour) {
       } else {
         ++failures;
       }
+    } else if (field_ != nullptr) {
+      nodes[i].point.p = onMeshEdge(contour.halfEdges[i], contour.points[i]);
     }
   }
   const std::size_t count = nodes.size();

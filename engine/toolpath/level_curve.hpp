@@ -85,6 +85,8 @@ private:
                                                 double t0,
                                                 double t1,
                                                 double t) const;
+  /// The point of a mesh edge on the level, from the one where a linear field would have it.
+  [[nodiscard]] Vec3 onMeshEdge(std::uint32_t halfEdge, const Vec3& start) const;
   [[nodiscard]] std::optional<Node> refinedNode(std::uint32_t halfEdge, double fraction) const;
   [[nodiscard]] geometry::Vec2 cornerUv(std::uint32_t triangle,
                                         std::uint32_t halfEdge,

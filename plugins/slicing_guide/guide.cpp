@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/base/text.hpp"
+#include "wcam/geometry/skeleton.hpp"
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
@@ -15,12 +16,20 @@ using namespace wcam;
 using geometry::Vec3;
 
 struct Params {
+  bool automatic = false;
   Length step = 2.0_mm;
   double firstLayer = 1.0;
 
   static const Schema<Params>& schema() {
     static const Schema<Params> schema =
         Schema<Params>{}
+            .add(
+                &Params::automatic,
+                {.key = "automatic_guide",
+                 .label = "Automatic guide",
+                 .help = "Takes the axis of a tube-like part as guide, from its lower to its upper "
+                         "end, instead of a guide of the project.",
+                 .group = "Guide"})
             .add(&Params::step,
                  {.key = "step",
                   .label = "Layer step",
@@ -179,13 +188,23 @@ public:
                                              const Value& values,
                                              const JobContext& context) const override {
     const Params params = Params::schema().read(values, "slicing normal to a guide");
-    if (input.guide == nullptr) {
-      throw Error(
-          ErrorCode::InvalidArgument, "the operation names no guide curve",
-          "slicing normal to a guide",
-          "add a guide to the project (edge, polyline or formula) and name it in the operation");
+    if (!params.automatic && input.guide == nullptr) {
+      throw Error(ErrorCode::InvalidArgument, "the operation names no guide curve",
+                  "slicing normal to a guide",
+                  "add a guide to the project (edge, polyline or formula) and name it in the "
+                  "operation, or set automatic_guide");
     }
-    const geometry::GuideCurve& guide = *input.guide;
+    if (params.automatic && input.parts.size() != 1) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "an automatic guide is the axis of one part, and the operation names " +
+                      std::to_string(input.parts.size()),
+                  "slicing normal to a guide", "make one operation per part");
+    }
+    const std::shared_ptr<const geometry::GuideCurve> chosen =
+        params.automatic ? geometry::automaticGuide(*input.parts.front(), input.substrate->up(),
+                                                    context.portion(0.0, 0.3, "guide"))
+                         : input.guide;
+    const geometry::GuideCurve& guide = *chosen;
     const std::vector<double> parameters = planeParameters(guide, params);
     if (parameters.empty()) {
       throw Error(ErrorCode::JobFailed, "the guide is shorter than the first layer",
@@ -223,9 +242,10 @@ void registerComponents(plugin::Registrar& registrar) {
       {.id = "wcam.slicing.guide",
        .name = "Normal to a guide",
        .summary = "Planes perpendicular to a guide curve, at a constant chord along it.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params(),
-       .needsGuide = true},
+       .needsGuide = true,
+       .automaticGuide = "automatic_guide"},
       [] { return std::make_unique<GuideSlicing>(); });
 }
 

@@ -1,0 +1,455 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/quantity.hpp"
+#include "wcam/base/text.hpp"
+#include "wcam/plugin/plugin.hpp"
+#include "wcam/toolpath/slice_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace {
+
+using namespace wcam;
+using geometry::Vec3;
+
+enum class Shape {
+  Cylinder,  ///< distance from the axis
+  Cone,      ///< distance from a cone about the axis
+  Sphere,    ///< distance from the origin
+  Angle      ///< half-planes through the axis
+};
+
+struct Params {
+  Shape shape = Shape::Cylinder;
+  Length step = 2.0_mm;
+  bool customAxis = false;
+  std::array<double, 3> origin{0.0, 0.0, 0.0};
+  std::array<double, 3> direction{0.0, 0.0, 1.0};
+  Angle coneAngle = 45.0_deg;
+  Length start = 0.0_mm;
+  double firstLayer = 1.0;
+  Length end = 0.0_mm;
+  Angle startAngle = 0.0_deg;
+  Angle sweep = 360.0_deg;
+  Length stepRadius = 0.0_mm;
+
+  static const Schema<Params>& schema();
+};
+
+void addLayers(Schema<Params>& schema) {
+  schema
+      .add(&Params::shape, {.key = "shape",
+                            .label = "Layer surface",
+                            .help = "On what the layers lie.",
+                            .group = "Layers",
+                            .choices = {{"cylinder", "Cylinders around the axis"},
+                                        {"cone", "Cones around the axis"},
+                                        {"sphere", "Spheres around the origin"},
+                                        {"angle", "Half-planes through the axis"}}})
+      .add(&Params::step,
+           {.key = "step",
+            .label = "Layer step",
+            .help = "Distance between neighbouring layers; of half-planes at the step "
+                    "radius.",
+            .group = "Layers",
+            .min = 0.01,
+            .max = 1000.0})
+      .add(&Params::start,
+           {.key = "start",
+            .label = "Start radius",
+            .help =
+                "Where the layers begin: the radius of the shaft or core on which they are built "
+                "(of cones: the distance along the normal from the cone through the origin); 0 "
+                "takes the part's nearest point.",
+            .group = "Layers",
+            .min = 0.0,
+            .max = 1e6})
+      .add(
+          &Params::firstLayer,
+          {.key = "first_layer",
+           .label = "First layer, in steps",
+           .help = "Height of the first layer above the start; 0 puts a layer on the start itself.",
+           .group = "Layers",
+           .level = ParamLevel::Advanced,
+           .min = 0.0,
+           .max = 100.0})
+      .add(&Params::end,
+           {.key = "end",
+            .label = "End height",
+            .help = "No layer above this height over the start; 0 slices the whole part.",
+            .group = "Layers",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 1e6});
+}
+
+void addAxis(Schema<Params>& schema) {
+  schema
+      .add(&Params::customAxis, {.key = "custom_axis",
+                                 .label = "Own axis",
+                                 .help = "Otherwise the z axis of the substrate's frame.",
+                                 .group = "Axis"})
+      .add(&Params::origin, {.key = "axis_origin",
+                             .label = "Axis origin",
+                             .help = "A point of the axis in the part frame, mm.",
+                             .group = "Axis",
+                             .enabledIf = "custom_axis=true"})
+      .add(&Params::direction, {.key = "axis_direction",
+                                .label = "Axis direction",
+                                .help = "In the part frame; any length.",
+                                .group = "Axis",
+                                .enabledIf = "custom_axis=true"})
+      .add(&Params::coneAngle,
+           {.key = "cone_angle",
+            .label = "Cone angle",
+            .help =
+                "Between the axis and the direction in which cones grow: 0 gives planes across the "
+                "axis, 90 cylinders; above 90 the cones open downwards.",
+            .group = "Axis",
+            .min = 0.0,
+            .max = 180.0,
+            .enabledIf = "shape=cone"})
+      .add(&Params::startAngle, {.key = "start_angle",
+                                 .label = "Start angle",
+                                 .help = "Of the first half-plane, about the axis.",
+                                 .group = "Axis",
+                                 .min = -360.0,
+                                 .max = 360.0,
+                                 .enabledIf = "shape=angle"})
+      .add(&Params::sweep, {.key = "sweep",
+                            .label = "Sweep",
+                            .help = "Angle over which half-planes follow each other.",
+                            .group = "Axis",
+                            .min = 0.01,
+                            .max = 360.0,
+                            .enabledIf = "shape=angle"})
+      .add(&Params::stepRadius,
+           {.key = "step_radius",
+            .label = "Step radius",
+            .help =
+                "Radius at which half-planes lie one step apart; 0 takes the part's middle radius.",
+            .group = "Axis",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 1e6,
+            .enabledIf = "shape=angle"});
+}
+
+const Schema<Params>& Params::schema() {
+  static const Schema<Params> schema = [] {
+    Schema<Params> made;
+    addLayers(made);
+    addAxis(made);
+    return made;
+  }();
+  return schema;
+}
+
+/// The axis with two directions across it.
+struct Axis {
+  Vec3 origin = Vec3::Zero();
+  Vec3 z = Vec3::UnitZ();
+  Vec3 x = Vec3::UnitX();
+  Vec3 y = Vec3::UnitY();
+
+  [[nodiscard]] Vec3 radial(const Vec3& p) const {
+    const Vec3 d = p - origin;
+    return d - d.dot(z) * z;
+  }
+
+  /// Unit vector away from the axis; x on the axis itself.
+  [[nodiscard]] Vec3 outward(const Vec3& p) const {
+    const Vec3 r = radial(p);
+    return r.norm() > 0.0 ? Vec3(r.normalized()) : x;
+  }
+
+  [[nodiscard]] double angle(const Vec3& p) const {
+    const Vec3 r = radial(p);
+    const double a = std::atan2(r.dot(y), r.dot(x));
+    return a < 0.0 ? a + 2.0 * kPi : a;
+  }
+};
+
+/// Heights above surfaces of revolution: φ = h·(cos α along the axis, sin α away from it), or the
+/// distance from the origin.
+class RevolvedField : public toolpath::LayerField {
+public:
+  RevolvedField(const Axis& axis, Shape shape, double coneAngle)
+      : axis_(axis), shape_(shape), cosine_(std::cos(coneAngle)), sine_(std::sin(coneAngle)) {}
+
+  void setLevels(const std::vector<toolpath::LayerLevel>& levels) { levels_ = &levels; }
+
+  [[nodiscard]] double scalar(const Vec3& p) const override {
+    switch (shape_) {
+      case Shape::Sphere:
+        return (p - axis_.origin).norm();
+      case Shape::Cone:
+        return cosine_ * (p - axis_.origin).dot(axis_.z) + sine_ * axis_.radial(p).norm();
+      default:
+        return axis_.radial(p).norm();
+    }
+  }
+
+  [[nodiscard]] double residual(const Vec3& p, std::size_t level) const override {
+    return scalar(p) - (*levels_)[level].value;
+  }
+
+  [[nodiscard]] Vec3 gradient(const Vec3& p, std::size_t) const override {
+    switch (shape_) {
+      case Shape::Sphere: {
+        const Vec3 d = p - axis_.origin;
+        return d.norm() > 0.0 ? Vec3(d.normalized()) : axis_.z;
+      }
+      case Shape::Cone:
+        return cosine_ * axis_.z + sine_ * axis_.outward(p);
+      default:
+        return axis_.outward(p);
+    }
+  }
+
+private:
+  Axis axis_;
+  Shape shape_;
+  double cosine_;
+  double sine_;
+  const std::vector<toolpath::LayerLevel>* levels_ = nullptr;
+};
+
+/// Angle about the axis from a start; torn where it jumps by a whole turn.
+class AngleField : public toolpath::LayerField {
+public:
+  AngleField(const Axis& axis, double start, double least)
+      : axis_(axis), start_(start), least_(least) {}
+
+  void setLevels(const std::vector<toolpath::LayerLevel>& levels) { levels_ = &levels; }
+
+  [[nodiscard]] double scalar(const Vec3& p) const override {
+    const double a = axis_.angle(p) - start_;
+    return a - 2.0 * kPi * std::floor(a / (2.0 * kPi));
+  }
+
+  /// Distance from the half-plane, so that the residual is a length.
+  [[nodiscard]] double residual(const Vec3& p, std::size_t level) const override {
+    return axis_.radial(p).dot(acrossOf(level));
+  }
+
+  [[nodiscard]] Vec3 gradient(const Vec3&, std::size_t level) const override {
+    return acrossOf(level);
+  }
+
+  [[nodiscard]] double largestJump(double edgeLength) const override {
+    // An edge at the part's least radius spans this angle at most, a tear nearly a whole turn.
+    return std::min(
+        kPi, least_ > 0.0 ? 2.0 * std::asin(std::min(1.0, 0.5 * edgeLength / least_)) + 0.1 : kPi);
+  }
+
+  [[nodiscard]] Vec3 acrossOf(std::size_t level) const {
+    const double a = (*levels_)[level].value + start_;
+    return std::cos(a) * axis_.y - std::sin(a) * axis_.x;
+  }
+
+private:
+  Axis axis_;
+  double start_;
+  double least_;
+  const std::vector<toolpath::LayerLevel>* levels_ = nullptr;
+};
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+/// Least and greatest value over the parts, at vertices and inside the triangles' edges.
+template <class Function>
+Extent extentOf(const plugin::SliceInput& input, const Function& value) {
+  Extent extent;
+  for (const auto& part : input.parts) {
+    for (const Vec3& p : part->mesh.vertices) {
+      const double v = value(p);
+      extent.low = std::min(extent.low, v);
+      extent.high = std::max(extent.high, v);
+    }
+  }
+  return extent;
+}
+
+Axis axisOf(const Params& params, const toolpath::Substrate& substrate) {
+  Axis axis;
+  axis.origin = substrate.pose().translation();
+  axis.z = substrate.up();
+  axis.x = substrate.pose().linear().col(0);
+  if (params.customAxis) {
+    axis.origin = Vec3(params.origin[0], params.origin[1], params.origin[2]);
+    axis.z = Vec3(params.direction[0], params.direction[1], params.direction[2]);
+    if (!(axis.z.norm() > 0.0)) {
+      throw Error(ErrorCode::InvalidArgument, "the axis has no direction", "axis_direction",
+                  "give a vector such as [0, 0, 1]");
+    }
+    axis.z.normalize();
+    // The nearest to the part's x axis, so that angles count from there.
+    const Vec3 x = Vec3::UnitX() - axis.z.x() * axis.z;
+    constexpr double kAlongX = 1e-6;
+    axis.x = x.norm() > kAlongX ? Vec3(x.normalized()) : axis.z.unitOrthogonal();
+  }
+  axis.y = axis.z.cross(axis.x);
+  return axis;
+}
+
+/// Layers around an axis do not grow along the substrate's build direction, so that nothing is
+/// below it: the start radius says where the part begins.
+toolpath::Substrate nothingBelow(const toolpath::Substrate& substrate, double size) {
+  geometry::Pose pose = substrate.pose();
+  constexpr double kFarBelow = 1e3;
+  pose.translation() -= kFarBelow * size * substrate.up();
+  return toolpath::Substrate(pose, Vec3(1.0, 1.0, 1.0));
+}
+
+std::vector<toolpath::LayerLevel> levelsFrom(
+    double start, double high, double step, const Params& params, const Vec3& up, double nominal) {
+  const double end =
+      params.end.value() > 0.0 ? std::min(high, start + params.end.value() * step / nominal) : high;
+  constexpr double kRounding = 1e-9;
+  constexpr std::size_t kMostLevels = 1000000;
+  if ((end - start) / step > static_cast<double>(kMostLevels)) {
+    throw Error(ErrorCode::InvalidArgument, "the step gives more than a million layers", "step",
+                "choose a larger step");
+  }
+  std::vector<toolpath::LayerLevel> levels;
+  for (std::size_t k = 0;; ++k) {
+    const double value = start + (params.firstLayer + static_cast<double>(k)) * step;
+    if (value > end + kRounding * step) {
+      return levels;
+    }
+    levels.push_back({value, up, nominal});
+  }
+}
+
+class RadialSlicing : public plugin::SlicingStrategy {
+public:
+  [[nodiscard]] toolpath::SlicedLayers slice(const plugin::SliceInput& input,
+                                             const Value& values,
+                                             const JobContext& context) const override {
+    const Params params = Params::schema().read(values, "slicing around an axis");
+    const Axis axis = axisOf(params, *input.substrate);
+    double size = 0.0;
+    for (const auto& part : input.parts) {
+      size = std::max(size, part->mesh.bounds().diagonal());
+    }
+    const toolpath::Substrate substrate = nothingBelow(*input.substrate, size);
+    toolpath::SlicedLayers sliced = params.shape == Shape::Angle
+                                        ? sliceByAngle(input, params, axis, substrate, context)
+                                        : sliceByHeight(input, params, axis, substrate, context);
+    sliced.curved = true;
+    for (toolpath::SlicedLayer& layer : sliced.layers) {
+      setBuildDirection(layer);
+    }
+    sliced.layers.front().below = std::vector<std::size_t>{};
+    return sliced;
+  }
+
+private:
+  static toolpath::SlicedLayers sliceByHeight(const plugin::SliceInput& input,
+                                              const Params& params,
+                                              const Axis& axis,
+                                              const toolpath::Substrate& substrate,
+                                              const JobContext& context) {
+    RevolvedField field(axis, params.shape, params.coneAngle.value());
+    const Extent extent = extentOf(input, [&](const Vec3& p) { return field.scalar(p); });
+    const double start = params.start.value() > 0.0 ? params.start.value() : extent.low;
+    const double step = params.step.value();
+    const std::vector<toolpath::LayerLevel> levels =
+        levelsFrom(start, extent.high, step, params, axis.z, step);
+    requireLevels(levels, start, extent);
+    field.setLevels(levels);
+    toolpath::SlicedLayers sliced =
+        toolpath::sliceByField(input.parts, field, levels, substrate, input.sampling, context);
+    // The first layer lies on the core, whose distance nobody can measure.
+    setHeights(sliced.layers.front(), sliced.layers.front().level - start);
+    return sliced;
+  }
+
+  static toolpath::SlicedLayers sliceByAngle(const plugin::SliceInput& input,
+                                             const Params& params,
+                                             const Axis& axis,
+                                             const toolpath::Substrate& substrate,
+                                             const JobContext& context) {
+    const Extent radius = extentOf(input, [&](const Vec3& p) { return axis.radial(p).norm(); });
+    const double stepRadius = params.stepRadius.value() > 0.0 ? params.stepRadius.value()
+                                                              : 0.5 * (radius.low + radius.high);
+    if (!(stepRadius > 0.0)) {
+      throw Error(ErrorCode::JobFailed, "the part lies on the axis", "slicing around an axis",
+                  "move the axis beside the part");
+    }
+    const double step = 2.0 * std::asin(std::min(1.0, 0.5 * params.step.value() / stepRadius));
+    AngleField field(axis, params.startAngle.value(), radius.low);
+    const Extent angles = extentOf(input, [&](const Vec3& p) { return field.scalar(p); });
+    Params own = params;
+    own.end = Length(0.0);
+    const double high = std::min(angles.high, params.sweep.value());
+    const std::vector<toolpath::LayerLevel> levels =
+        levelsFrom(std::max(0.0, angles.low), high, step, own, axis.z, params.step.value());
+    requireLevels(levels, 0.0, angles);
+    field.setLevels(levels);
+    return toolpath::sliceByField(input.parts, field, levels, substrate, input.sampling, context);
+  }
+
+  static void requireLevels(const std::vector<toolpath::LayerLevel>& levels,
+                            double start,
+                            const Extent& extent) {
+    if (levels.empty()) {
+      throw Error(ErrorCode::JobFailed,
+                  "no layer fits between the start at " + formatFixed(start, 2) +
+                      " and the part's end at " + formatFixed(extent.high, 2),
+                  "slicing around an axis", "choose a smaller step or start radius");
+    }
+  }
+
+  static void setHeights(toolpath::SlicedLayer& layer, double height) {
+    if (!(height > 0.0)) {
+      return;
+    }
+    for (toolpath::Contour& contour : layer.contours) {
+      for (toolpath::ContourPoint& point : contour.points) {
+        point.height = height;
+      }
+    }
+  }
+
+  /// Mean of t × n over the layer; what cancels around the axis leaves the direction that it had.
+  static void setBuildDirection(toolpath::SlicedLayer& layer) {
+    Vec3 sum = Vec3::Zero();
+    double weight = 0.0;
+    for (const toolpath::Contour& contour : layer.contours) {
+      for (std::size_t i = 1; i < contour.points.size(); ++i) {
+        const Vec3 b = (contour.points[i].p - contour.points[i - 1].p).cross(contour.points[i].n);
+        sum += b;
+        weight += b.norm();
+      }
+    }
+    constexpr double kCancelled = 1e-6;
+    if (sum.norm() > kCancelled * weight) {
+      layer.up = sum.normalized();
+    }
+  }
+};
+
+void registerComponents(plugin::Registrar& registrar) {
+  registrar.addSlicing(
+      {.id = "wcam.slicing.radial",
+       .name = "Around an axis",
+       .summary = "Layers on cylinders, cones, spheres or half-planes around an axis: flanges on a "
+                  "shaft, blades on a hub, bent walls.",
+       .version = 1,
+       .params = Params::schema().params()},
+      [] { return std::make_unique<RadialSlicing>(); });
+}
+
+}  // namespace
+
+WCAM_PLUGIN("org.wcam.slicing.radial", "0.1.0", registerComponents);
