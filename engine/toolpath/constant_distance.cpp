@@ -3,10 +3,12 @@
 #include "wcam/toolpath/constant_distance.hpp"
 
 #include "wcam/base/error.hpp"
-#include "wcam/base/parallel.hpp"
+#include "wcam/base/text.hpp"
 #include "wcam/geometry/level_set.hpp"
 #include "wcam/geometry/refine.hpp"
+#include "wcam/toolpath/layer_distance.hpp"
 
+#include "corner_smoothing.hpp"
 #include "front_base.hpp"
 #include "front_curve.hpp"
 #include "front_line.hpp"
@@ -57,7 +59,7 @@ public:
 
   [[nodiscard]] const FrontBase& base() const { return base_; }
 
-  [[nodiscard]] const PartSurface& part() const { return part_; }
+  [[nodiscard]] const SurfacePatch& patch() const { return patch_; }
 
   /// Starts from the base.
   void begin(double step) {
@@ -402,27 +404,97 @@ double outsideOf(const CutPlane& plane, const Vec3& p) {
   return (p - plane.point).dot(plane.normal);
 }
 
-/// The visible contours of a front.
-/// @return whether any of it lies inside
-bool emit(const std::vector<FrontCurve>& fronts,
+/// Makes contours of fronts.
+class Emitter {
+public:
+  Emitter(const SurfacePatch& patch,
           int part,
           const ConstantDistanceOptions& options,
-          const Sampling& sampling,
-          Layer& layer) {
-  bool any = false;
-  for (const FrontCurve& front : fronts) {
-    if (!options.end) {
-      addContour(front, part, sampling, layer);
-      any = true;
-      continue;
-    }
-    const auto outside = [&](const Vec3& p) { return outsideOf(*options.end, p); };
-    for (const FrontCurve& piece : keepInside(front, outside)) {
-      addContour(piece, part, sampling, layer);
-      any = true;
+          const Sampling& sampling)
+      : part_(part), options_(options), sampling_(sampling) {
+    // Both layers move, each by half of the bound at most.
+    if (options.cornerBound > 0.0) {
+      smoothing_.emplace(patch, 0.5 * options.cornerBound);
     }
   }
-  return any;
+
+  /// Adds what is visible of the fronts. @return whether any of it lies inside
+  bool emit(const std::vector<FrontCurve>& fronts, Layer& layer) {
+    bool any = false;
+    for (const FrontCurve& front : fronts) {
+      if (!options_.end) {
+        add(front, layer);
+        any = true;
+        continue;
+      }
+      const auto outside = [&](const Vec3& p) { return outsideOf(*options_.end, p); };
+      for (const FrontCurve& piece : keepInside(front, outside)) {
+        add(piece, layer);
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  [[nodiscard]] std::size_t rounded() const { return rounded_; }
+
+private:
+  void add(const FrontCurve& curve, Layer& layer) {
+    addContour(curve, part_, sampling_, layer);
+    if (smoothing_) {
+      rounded_ += smoothing_->apply(layer.contours.back(), curve.corners);
+    }
+  }
+
+  int part_;
+  const ConstantDistanceOptions& options_;
+  const Sampling& sampling_;
+  std::optional<CornerSmoothing> smoothing_;
+  std::size_t rounded_ = 0;
+};
+
+/// Tells of layers whose points do not have the distance, measured as A4 on the result.
+void checkDistances(const SlicedLayers& sliced,
+                    const ConstantDistanceOptions& options,
+                    const Sampling& sampling,
+                    const JobContext& context) {
+  // Chords of the layer below lie this near to its curve.
+  constexpr double kShare = 0.01;
+  const double allowed =
+      std::max(kShare * options.step, 1.1 * sampling.chordError) + options.cornerBound;
+  for (std::size_t l = 1; l < sliced.layers.size(); ++l) {
+    std::vector<Vec3> points;
+    for (const Contour& contour : sliced.layers[l].contours) {
+      for (const ContourPoint& point : contour.points) {
+        points.push_back(point.p);
+      }
+    }
+    const std::vector<double> distances = layerDistance(points, sliced.layers[l - 1].contours);
+    std::size_t count = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+      const double error = std::abs(distances[i] - options.step);
+      count += error > allowed ? 1U : 0U;
+      worst = error > std::abs(distances[worst] - options.step) ? i : worst;
+    }
+    if (count > 0) {
+      const Vec3& p = points[worst];
+      context.add({Severity::Warning,
+                   "slicing.distance_not_kept",
+                   std::to_string(count) +
+                       " points of the layer do not have the step to the layer "
+                       "below, the worst has " +
+                       formatFixed(distances[worst], 3) + " mm",
+                   "sharp edges of a mesh can do this: use a finer mesh edge length or the CAD "
+                   "file",
+                   {{}, static_cast<int>(l), -1, -1},
+                   {{"points", static_cast<double>(count)},
+                    {"distance_mm", distances[worst]},
+                    {"x_mm", p.x()},
+                    {"y_mm", p.y()},
+                    {"z_mm", p.z()}}});
+    }
+  }
 }
 
 void slicePart(const PartSurface& part,
@@ -441,11 +513,12 @@ void slicePart(const PartSurface& part,
     }
     ++layer;
   }
+  Emitter emitter(fronts.patch(), index, options, sampling);
   fronts.begin(first);
   for (double step = first; layer < kMostLayers; step = options.step, ++layer) {
     context.check();
     const std::vector<FrontCurve> curves = fronts.advance(step, options.step);
-    if (curves.empty() || !emit(curves, index, options, sampling, layerAt(layers, layer))) {
+    if (curves.empty() || !emitter.emit(curves, layerAt(layers, layer))) {
       break;
     }
   }
@@ -456,6 +529,18 @@ void slicePart(const PartSurface& part,
                  "close the gaps of the part, or give the piece a base of its own",
                  {},
                  {{"vertices", static_cast<double>(missing)}}});
+  }
+  if (options.cornerBound > 0.0) {
+    context.add(
+        {Severity::Information,
+         "slicing.corners_rounded",
+         std::to_string(emitter.rounded()) +
+             " corners were rounded; there the distance "
+             "differs from the step by up to " +
+             formatFixed(options.cornerBound, 3) + " mm",
+         {},
+         {},
+         {{"corners", static_cast<double>(emitter.rounded())}, {"bound_mm", options.cornerBound}}});
   }
   if (fronts.unrefined() > 0) {
     context.add({Severity::Warning,
@@ -511,6 +596,7 @@ SlicedLayers sliceConstantDistance(const std::vector<std::shared_ptr<const PartS
     throw Error(ErrorCode::JobFailed, "no layer fits on the part", "slicing",
                 "the part ends less than one step above its base: choose a smaller step");
   }
+  checkDistances(sliced, options, sampling, context);
   return sliced;
 }
 

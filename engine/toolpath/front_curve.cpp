@@ -23,6 +23,8 @@ constexpr int kNewtonSteps = 16;
 constexpr int kBisections = 60;
 /// Facets of a mesh that meet at a smaller angle are one smooth surface.
 const double kSmoothFacetCosine = std::cos(0.7);
+/// Feet of one point that are farther apart than this, in steps, belong to two branches.
+constexpr double kTwoFeet = 0.02;
 /// A corner may lie this far outside the triangle whose sides the front crosses, in parts of it:
 /// inside its own face the surface goes on smoothly.
 constexpr double kCornerReach = 0.6;
@@ -176,6 +178,24 @@ void FrontCurve::insertCorners() {
     }
   }
   list = std::move(pieces);
+  markCorners();
+}
+
+void FrontCurve::markCorners() {
+  const std::size_t n = list.size();
+  for (std::size_t i = 0; i + (ring ? 0 : 1) < n; ++i) {
+    FrontPiece& before = list[i];
+    FrontPiece& after = list[(i + 1) % n];
+    const FrontLine::Foot a = below_->nearest(before.b.p, before.footA);
+    const FrontLine::Foot b = below_->nearest(before.b.p, after.footB);
+    const double accepted = step_ + kAccepted * tolerance_;
+    if (a.distance <= accepted && b.distance <= accepted &&
+        (a.point - b.point).norm() > kTwoFeet * step_) {
+      before.footB = a.segment;
+      after.footA = b.segment;
+      corners.push_back(before.b.p);
+    }
+  }
 }
 
 void FrontCurve::smoothMeshNormals() {

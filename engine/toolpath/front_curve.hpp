@@ -35,6 +35,9 @@ public:
   [[nodiscard]] ContourPoint at(std::size_t piece, double w) const override;
   [[nodiscard]] Vec3 tangent(std::size_t piece, double w) const override;
 
+  /// Where two branches of the front meet: nodes found by insertCorners().
+  std::vector<Vec3> corners;
+
   /// Puts a node where two branches of the front meet inside a piece.
   void insertCorners();
   /// Facet normals of a mesh are joined where the surface is smooth.
@@ -50,6 +53,7 @@ private:
     FrontLine::Foot foot;
   };
 
+  void markCorners();
   [[nodiscard]] Place evaluate(const FrontPiece& piece, const geometry::Vec2& uv) const;
   [[nodiscard]] Place toDistance(const FrontPiece& piece, const geometry::Vec2& start) const;
   [[nodiscard]] std::optional<std::array<FrontPiece, 2>> splitAtCorner(

@@ -15,6 +15,7 @@ struct Params {
   bool cut = false;
   std::array<double, 3> cutPoint{0.0, 0.0, 0.0};
   std::array<double, 3> cutNormal{0.0, 0.0, 1.0};
+  Length cornerBound = 0.0_mm;
   Length meshEdge = 0.0_mm;
 
   static const Schema<Params>& schema() {
@@ -54,6 +55,15 @@ struct Params {
                   .help = "Points away from the material that stays; any length.",
                   .group = "End",
                   .enabledIf = "cut=true"})
+            .add(&Params::cornerBound,
+                 {.key = "corner_bound",
+                  .label = "Rounding of corners",
+                  .help = "Layers have corners where fronts meet, such as on the outside of a "
+                          "bend. They are rounded so far that the distance between layers differs "
+                          "from the step by at most this; 0 keeps them.",
+                  .group = "Layers",
+                  .min = 0.0,
+                  .max = 100.0})
             .add(&Params::meshEdge,
                  {.key = "mesh_edge",
                   .label = "Mesh edge length",
@@ -76,6 +86,7 @@ public:
     toolpath::ConstantDistanceOptions options;
     options.step = params.step.value();
     options.firstLayer = params.firstLayer;
+    options.cornerBound = params.cornerBound.value();
     options.meshEdge = params.meshEdge.value();
     if (params.cut) {
       const Vec3 normal(params.cutNormal[0], params.cutNormal[1], params.cutNormal[2]);

@@ -83,7 +83,7 @@ TEST(ConstantDistance, TorusConvergesToTheGeodesicDistance) {
   // AT-10, second half: layers of 0.5 mm count the geodesic distance from the base.
   const SlicedLayers sliced =
       test::slice("wcam.slicing.constant", inputOf(formulaPart("p4_quarter_torus.wsurf")),
-                  R"({"step": 0.5, "first_layer": 0})");
+                  R"({"step": 0.5, "first_layer": 0, "mesh_edge": 0.45})");
   const auto distanceTo = [&](double degrees) {
     for (std::size_t l = 1; l < sliced.layers.size(); ++l) {
       const double u0 = uAt(sliced.layers[l - 1], 0.0);
@@ -124,6 +124,31 @@ TEST(ConstantDistance, TorusOnACylinder) {
       least = std::min(least, torusU(p));
     }
     EXPECT_EQ(least >= kPi / 2.0, n >= 12) << n;
+  }
+}
+
+TEST(ConstantDistance, CornersAreRoundedWithinTheBound) {
+  const auto part = formulaPart("p4_torus_150.wsurf");
+  const SlicedLayers sharp =
+      test::slice("wcam.slicing.constant", inputOf(part, {0.002, 0.8}), R"({"step": 5.0})");
+  JobContext context;
+  const SlicedLayers rounded = test::slice("wcam.slicing.constant", inputOf(part, {0.002, 0.8}),
+                                           R"({"step": 5.0, "corner_bound": 0.4})", context);
+  plot(rounded, "rounded");
+  EXPECT_EQ(context.diagnostics().count("slicing.corners_rounded"), 1U);
+  EXPECT_EQ(context.diagnostics().count(Severity::Warning), 0U);
+  ASSERT_EQ(sharp.layers.size(), rounded.layers.size());
+  EXPECT_LE(worstDistance(rounded, 5.0), 0.4 + 0.002);
+  for (std::size_t n = 11; n < 17; ++n) {
+    EXPECT_GT(radToDeg(sharpestTurn(sharp.layers[n])), 60.0);
+    EXPECT_LT(radToDeg(sharpestTurn(rounded.layers[n])), 25.0);
+    for (const Vec3& p : pointsOf(rounded.layers[n])) {
+      const Vec3 centre = kR * Vec3(p.x() + kR, 0, p.z()).normalized() - Vec3(kR, 0, 0);
+      EXPECT_NEAR((p - centre).norm(), kr, 1e-6);
+    }
+    for (const double d : layerDistance(pointsOf(rounded.layers[n]), sharp.layers[n].contours)) {
+      EXPECT_LE(d, 0.2 + 0.002);
+    }
   }
 }
 

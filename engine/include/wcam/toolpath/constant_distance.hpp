@@ -23,6 +23,9 @@ struct ConstantDistanceOptions {
   double step = 1.0;        ///< distance of each layer to the one below, mm
   double firstLayer = 1.0;  ///< distance of the first layer from the base, in steps; 0: on the base
   std::optional<CutPlane> end;
+  /// Corners where fronts meet are rounded; the distance between layers then differs from the step
+  /// by at most this, mm. 0 keeps the corners.
+  double cornerBound = 0.0;
   double meshEdge = 0.0;  ///< edge length of the mesh that carries the fronts, mm; 0 chooses one
 };
 
@@ -37,7 +40,8 @@ struct ConstantDistanceOptions {
 /// are open arcs.
 ///
 /// Findings: slicing.not_reached (a piece of the part that no path on the surface joins to the
-/// base), slicing.refinement_failed.
+/// base), slicing.distance_not_kept (with
+/// the place: sharp edges of coarse meshes), slicing.corners_rounded, slicing.refinement_failed.
 /// @throws Error(JobFailed) when the part does not touch the substrate or no layer fits;
 /// Error(InvalidArgument) for a step that is not positive
 /// Cost: per layer proportional to the triangles between it and the layer below.
