@@ -19,9 +19,9 @@ struct ComponentInfo {
   std::string summary;  ///< one sentence
   int version = 1;  ///< raise when the same input gives another result: cached results are dropped
   ParamSchema params;
-  bool needsGuide = false;  ///< slicing: the operation must name a guide curve
+  bool needsGuide = false;          ///< slicing: the operation must name a guide curve
   std::string automaticGuide = {};  ///< key of a parameter that makes the guide needless when true
-  bool needsFile = false;   ///< slicing: the operation must name a file with a path
+  bool needsFile = false;           ///< slicing: the operation must name a file with a path
 };
 
 using SlicingFactory = std::function<std::unique_ptr<SlicingStrategy>()>;

@@ -53,8 +53,8 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
 
 /// Sets width, wire speed and travel speed of every point: the speed of the move that ends at a
 /// point follows its height and its width, clamped to the speed window. A width that the path
-/// brings along is kept; 0 becomes the process's. Factors of ramps apply to the clamped speed, inside
-/// the window, and to the wire; moves with the arc off get no wire.
+/// brings along is kept; 0 becomes the process's. Factors of ramps apply to the clamped speed,
+/// inside the window, and to the wire; moves with the arc off get no wire.
 ///
 /// Findings, one per layer with the worst value and the count: process.speed_clamped,
 /// process.height_out_of_range.
