@@ -251,6 +251,17 @@ private:
     }
     const Arrival arrival = cross(from, beside, t);
     if (arrival.entry == Entry::Inside) {
+      // Near a focus the front misleads; no point is farther than along an edge.
+      const double fromA = arrival.wave.distance - from.distance;
+      if (fromA > 0.0 && fromA * fromA > ac) {
+        along(a, c, ac, before);
+        return;
+      }
+      const double fromB = arrival.wave.distance - beside.distance;
+      if (fromB > 0.0 && fromB * fromB > bc) {
+        along(b, c, bc, before);
+        return;
+      }
       offer(c, arrival.wave, arrival.wave.distance - 0.5 * (from.distance + beside.distance),
             before);
     } else if (arrival.entry == Entry::BeyondA) {

@@ -135,9 +135,21 @@ public:
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
       any = findPiece(k) || any;
     }
+    if (!any && !floating_.empty()) {
+      throw Error(ErrorCode::JobFailed, floatingMessage(floating_.front()), kPlace,
+                  "lower the part by that much, or select an open working surface (faces) of it");
+    }
     if (!any) {
       throw Error(ErrorCode::JobFailed, "the whole part lies below the substrate", kPlace,
                   "raise the part or lower the substrate");
+    }
+    for (const std::size_t k : floating_) {
+      context_.add({Severity::Warning,
+                    "slicing.piece_without_base",
+                    floatingMessage(k) + "; it gets no layer",
+                    "join the piece to the others, or slice it as a part of its own",
+                    {},
+                    placeData(mesh_.vertices[pieces_[k].lowestVertex], pieces_[k].lowest)});
     }
     return std::move(base_);
   }
@@ -213,6 +225,9 @@ private:
       intersect(k);
     } else if (!piece.loops.empty()) {
       chooseBorders(k);
+    } else if (piece.lowest > kSubstrateContact) {
+      floating_.push_back(k);
+      return false;
     } else {
       chooseContact(k);
     }
@@ -319,17 +334,14 @@ private:
                   placeData(mesh_.vertices[v], height_[v])});
   }
 
-  void chooseContact(std::size_t k) {
+  [[nodiscard]] std::string floatingMessage(std::size_t k) const {
     const Piece& piece = pieces_[k];
-    if (piece.lowest > kSubstrateContact) {
-      throw Error(ErrorCode::JobFailed,
-                  "a closed surface without a border does not touch the substrate: its lowest "
-                  "point " +
-                      describe(mesh_.vertices[piece.lowestVertex]) + " is " +
-                      formatFixed(piece.lowest, 3) + " mm above it",
-                  kPlace,
-                  "lower the part by that much, or select an open working surface (faces) of it");
-    }
+    return "a closed surface without a border does not touch the substrate: its lowest point " +
+           describe(mesh_.vertices[piece.lowestVertex]) + " is " + formatFixed(piece.lowest, 3) +
+           " mm above it";
+  }
+
+  void chooseContact(std::size_t k) {
     base_.kind[k] = BaseKind::Contact;
     const auto touches = [&](std::uint32_t v) {
       return base_.component[v] == k && height_[v] <= kSubstrateContact;
@@ -381,6 +393,7 @@ private:
   std::vector<Piece> pieces_;
   std::vector<BaseLoop> loops_;
   std::vector<std::uint32_t> contact_;
+  std::vector<std::size_t> floating_;  ///< closed pieces above the substrate
   PartBase base_;
 };
 

@@ -201,7 +201,8 @@ TEST(Geodesic, UnrolledCone) {
   // Half angle 30°: unrolled it is a half disc, its apex a corner.
   const TriangleMesh mesh = ringMesh(60, 160, [](double s, double t) {
     const double slant = 10 + 50 * s;
-    return slant * Vec3(0.5 * std::cos(2 * kPi * t), 0.5 * std::sin(2 * kPi * t), std::sqrt(0.75));
+    return Vec3(slant *
+                Vec3(0.5 * std::cos(2 * kPi * t), 0.5 * std::sin(2 * kPi * t), std::sqrt(0.75)));
   });
   GeodesicSource source;
   source.vertices = {50 * 160};

@@ -155,16 +155,18 @@ TEST(BaseCurve, EachPieceHasItsOwnBase) {
   const TriangleMesh tube = test::tubeMesh(20, 60, 48, 30);
   const TriangleMesh below = moved(test::boxMesh({0, 0, 0}, {5, 5, 5}), {60, 0, -20});
   const TriangleMesh box = moved(test::boxMesh({0, 0, 0}, {5, 5, 5}), {90, 0, 0});
-  const auto part = test::meshSurface(together(together(tube, below), box));
+  const TriangleMesh above = moved(test::boxMesh({0, 0, 0}, {5, 5, 5}), {120, 0, 4});
+  const auto part = test::meshSurface(together(together(together(tube, below), box), above));
   JobContext context;
   const PartBase base = findBase(*part, *test::plate(), context);
-  EXPECT_EQ(base.kind,
-            (std::vector<BaseKind>{BaseKind::Border, BaseKind::None, BaseKind::Contact}));
+  EXPECT_EQ(base.kind, (std::vector<BaseKind>{BaseKind::Border, BaseKind::None, BaseKind::Contact,
+                                              BaseKind::None}));
+  EXPECT_EQ(context.diagnostics().count("slicing.piece_without_base"), 1U);
   EXPECT_EQ(context.diagnostics().count("slicing.piece_below_substrate"), 1U);
   const std::vector<double> distance = distanceFromBase(*part, base);
   const std::size_t first = tube.vertices.size();
   for (std::size_t v = 0; v < distance.size(); ++v) {
-    EXPECT_EQ(std::isnan(distance[v]), v >= first && v < first + 8) << v;
+    EXPECT_EQ(std::isnan(distance[v]), v >= first && (v < first + 8 || v >= first + 16)) << v;
   }
 }
 

@@ -124,8 +124,8 @@ TEST_P(RefineExactParts, KeepsSurfaceBordersAndBounds) {
     const PartSurface fine = refineSurface(*coarse, maxEdge);
     EXPECT_LE(longestEdge(fine.mesh), maxEdge);
     EXPECT_GE(fine.mesh.triangles.size(), coarse->mesh.triangles.size());
-    // The curves of the last part lie up to 1e-4 mm off its B-spline faces.
-    expectSound(fine, std::string(GetParam()).find("supportless") == 0 ? 1e-4 : 1e-9);
+    // The curves of the last part lie up to 1e-3 mm off its B-spline faces.
+    expectSound(fine, std::string(GetParam()).find("supportless") == 0 ? 1e-3 : 1e-9);
     expectSameBorders(*coarse, fine);
     EXPECT_NE(fine.hash, coarse->hash);
   }

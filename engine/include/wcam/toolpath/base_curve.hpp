@@ -33,7 +33,7 @@ enum class BaseKind {
   Border,        ///< on a border of the surface
   Intersection,  ///< where the surface passes through the substrate
   Contact,       ///< on the flat bottom, edge or point on which a closed body stands
-  None           ///< below the substrate: it is not built
+  None           ///< below the substrate, or closed and above it: it is not built
 };
 
 /// Where the layers of a part begin and where they end.
@@ -57,10 +57,9 @@ inline constexpr double kSubstrateContact = 0.05;
 ///
 /// Findings: slicing.base_off_substrate (the lowest border does not lie on the substrate: how far,
 /// where), slicing.several_lower_borders (layers grow from several borders of one piece and will
-/// meet), slicing.piece_below_substrate.
-/// @throws Error(JobFailed) when a closed piece does not touch the substrate, or when all of the
-/// part lies below it: with the place and the distance
-/// Cost: one height per vertex, O(n).
+/// meet), slicing.piece_below_substrate, slicing.piece_without_base (a closed piece above it).
+/// @throws Error(JobFailed) when no piece has a base: closed and above the substrate, or below it:
+/// with the place and the distance Cost: one height per vertex, O(n).
 PartBase findBase(const geometry::PartSurface& surface,
                   const Substrate& substrate,
                   const JobContext& context = JobContext());
