@@ -77,14 +77,21 @@ private:
     wall_ = toolpath::openWall(
         geometry::refineSurface(part, edge, context_.portion(0.0, 0.2, "refinement")),
         *input_.substrate);
+    const JobContext own = context_.withOwnDiagnostics();
     if (options_.field == Field::Geodesic) {
-      field_ = toolpath::distanceFromBase(
-          wall_, toolpath::findBase(wall_, *input_.substrate, context_), context_);
+      field_ =
+          toolpath::distanceFromBase(wall_, toolpath::findBase(wall_, *input_.substrate, own), own);
     } else {
       toolpath::IsoValueOptions iso;
       iso.step = options_.step;
       iso.firstLayer = options_.firstLayer;
-      field_ = toolpath::isoValueField(wall_, *input_.substrate, iso, context_).values;
+      field_ = toolpath::isoValueField(wall_, *input_.substrate, iso, own).values;
+    }
+    for (Diagnostic finding : own.diagnostics().items()) {
+      // Standing on several legs is what branches are for.
+      if (finding.code != "slicing.several_lower_borders") {
+        context_.add(std::move(finding));
+      }
     }
   }
 

@@ -87,6 +87,7 @@ TEST(Branches, LegsMeetInAJunction) {
     EXPECT_EQ(piecesFound(context), 3U) << field;
     expectSound(sliced, *input.parts[0], 4.5);
     EXPECT_EQ(junctions(sliced), 1U) << field;
+    EXPECT_EQ(context.diagnostics().count("slicing.several_lower_borders"), 0U);
     EXPECT_EQ(sliced.curved, field != std::string("height"));
     std::size_t onPlate = 0;
     std::size_t onTwo = 0;
