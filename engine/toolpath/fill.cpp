@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace wcam::toolpath {
 
@@ -153,7 +154,7 @@ private:
         lines.push_back(std::move(cellPath.forward));
       }
     }
-    addOpen(std::move(lines), BeadFeature::Fill, level);
+    addOpen(lines, BeadFeature::Fill, level);
     fillRest(geometry::subtract(cell, reachedByLines(level)), level);
   }
 
@@ -356,16 +357,29 @@ private:
     }
   }
 
-  void addOpen(std::vector<Polyline2> lines, BeadFeature feature, int level) {
-    for (const Polyline2& line : lines) {
-      if (geometry::polylineLength(line, false) >= o_.minLength) {
-        // Joints may repeat a point.
-        result_.beads.push_back({geometry::simplified(line, false, kRounding * o_.tolerance),
-                                 {},
-                                 false,
-                                 feature,
-                                 level});
+  void addOpen(const std::vector<Polyline2>& lines, BeadFeature feature, int level) {
+    for (const Polyline2& joined : lines) {
+      // Joints may repeat a point.
+      std::vector<Polyline2> open{geometry::simplified(joined, false, kRounding * o_.tolerance)};
+      while (!open.empty()) {
+        Polyline2 line = std::move(open.back());
+        open.pop_back();
+        // Borders that wind between two lines can lead a joint over its own bead: it ends there.
+        if (const auto crossing = geometry::findCrossing(std::span(&line, 1), false, 0.0)) {
+          const auto cut = static_cast<long>(std::max(crossing->segment, crossing->otherSegment));
+          open.emplace_back(line.begin() + cut, line.end());
+          line.resize(static_cast<std::size_t>(cut) + 1);
+          open.push_back(std::move(line));
+          continue;
+        }
+        addLine(std::move(line), feature, level);
       }
+    }
+  }
+
+  void addLine(Polyline2 line, BeadFeature feature, int level) {
+    if (geometry::polylineLength(line, false) >= o_.minLength) {
+      result_.beads.push_back({std::move(line), {}, false, feature, level});
     }
   }
 

@@ -224,6 +224,12 @@ std::vector<Polyline2> spirals(const std::vector<Region2>& insets,
       Polyline2 turn = around(*chain[i], starts[i]);
       // The last turn ends beside its start: the round ends of the bead close it.
       trimEnd(turn, i + 1 < chain.size() ? spacing : 0.5 * spacing);
+      // Where the next loop is not straight across, the bridge would cut through a turn.
+      if (!path.empty() &&
+          (crosses(path.back(), turn.front(), path) || crosses(path.back(), turn.front(), turn))) {
+        result.push_back(std::move(path));
+        path.clear();
+      }
       path.insert(path.end(), turn.begin(), turn.end());
     }
     result.push_back(std::move(path));

@@ -7,6 +7,7 @@
 #include "wcam/base/quantity.hpp"
 
 #include "error_matchers.hpp"
+#include "random_source.hpp"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -345,6 +346,40 @@ TEST(Fill, PilesAreMeasured) {
   const Region2 wall = region({{{0, 0}, {200, 0}, {200, 7}, {0, 7}}});
   const FillOptions options = beadOf6(FillPattern::Zigzag);
   EXPECT_NEAR(fillCoverage(wall, fillRegion(wall, options).beads, options).fillRatio(), 1.6, 0.1);
+}
+
+TEST(Fill, RandomRegionsGiveBeadsThatDoNotCrossThemselves) {
+  for (const std::uint64_t seed : testing::testSeeds(25)) {
+    testing::RandomSource random(seed);
+    const int n = 3 + static_cast<int>(random.below(80));
+    const double wave = random.real(0.0, 0.8);
+    const auto lobes = static_cast<double>(1 + random.below(9));
+    Polyline2 loop;
+    for (int i = 0; i < n; ++i) {
+      const double a = 2.0 * kPi * i / n;
+      const double r = 50.0 * (1.0 + wave * std::sin(lobes * a));
+      loop.emplace_back(r * std::cos(a), r * std::sin(a) * random.real(0.8, 1.0));
+    }
+    const Region2 area = region({loop});
+    for (const auto& [pattern, name] : kPatterns) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      FillOptions options = beadOf6(pattern);
+      options.walls = static_cast<int>(random.below(3));
+      options.angle = random.real(0.0, kPi);
+      const FillResult fill = fillRegion(area, options);
+      const FillCoverage coverage = fillCoverage(area, fill.beads, options);
+      EXPECT_LE(coverage.coveredPart(), 1.0);
+      EXPECT_LE(coverage.fillRatio(), 1.25);
+      for (const FillBead& bead : fill.beads) {
+        ASSERT_TRUE(bead.widths.empty() || bead.widths.size() == bead.points.size());
+        ASSERT_FALSE(geometry::findCrossing(std::span(&bead.points, 1), bead.closed, 0.0));
+        for (const Vec2& p : bead.points) {
+          ASSERT_TRUE(p.allFinite());
+          ASSERT_TRUE(area.contains(p));
+        }
+      }
+    }
+  }
 }
 
 TEST(Fill, RefusesOptionsOutOfRange) {
