@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wcam::geometry {
 
@@ -335,6 +336,25 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// Edges of the mesh that the intrinsic one does not have are ways, too.
+void shortenAlongEdges(const TriangleMesh& mesh, double limit, std::vector<double>& distance) {
+  for (const auto& corners : mesh.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = corners[c];
+      const std::uint32_t b = corners[(c + 1) % 3];
+      const double length = (mesh.vertices[b] - mesh.vertices[a]).norm();
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+        const double way = distance[from] + length;
+        distance[to] = way <= limit ? std::min(distance[to], way) : distance[to];
+      }
+    }
+  }
+}
+
+}  // namespace
+
 struct GeodesicSolver::Impl {
   Impl(const TriangleMesh& m, const HalfEdges& h) : mesh(m), halfEdges(h), intrinsic(m, h) {}
 
@@ -355,7 +375,11 @@ std::vector<double> GeodesicSolver::distance(const GeodesicSource& source,
                                              const JobContext& context) const {
   Propagation propagation(impl_->intrinsic, limit);
   propagation.seed(geodesicSeeds(impl_->mesh, impl_->halfEdges, source));
-  return propagation.run(context);
+  std::vector<double> result = propagation.run(context);
+  if (impl_->intrinsic.flips() > 0) {
+    shortenAlongEdges(impl_->mesh, limit, result);
+  }
+  return result;
 }
 
 }  // namespace wcam::geometry
