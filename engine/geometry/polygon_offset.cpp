@@ -211,6 +211,23 @@ Polyline2 rawLoop(const std::vector<Line>& lines) {
   return result;
 }
 
+/// Whether outer loops lie outside all others or in holes, and holes inside outer loops: loops that
+/// move far enough pass through each other without crossing.
+bool nested(const Region2& region) {
+  for (std::size_t l = 0; l < region.loops.size(); ++l) {
+    int winding = 0;
+    for (std::size_t o = 0; o < region.loops.size(); ++o) {
+      if (o != l && Region2{{region.loops[o]}}.contains(region.loops[l].front())) {
+        winding += signedArea(region.loops[o]) > 0.0 ? 1 : -1;
+      }
+    }
+    if (winding != (signedArea(region.loops[l]) > 0.0 ? 0 : 1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// One offset without any simplification. @param clean clean-up after the sweep, mm
 Region2 moved(const Region2& region, double distance, const Turns& turns, double clean) {
   Region2 fast;
@@ -232,7 +249,8 @@ Region2 moved(const Region2& region, double distance, const Turns& turns, double
       fast.loops.push_back(std::move(*result));
     }
   }
-  if (sure && !findCrossing(fast.loops, true, kTouch * size)) {
+  if (sure && !findCrossing(fast.loops, true, kTouch * size) &&
+      (fast.loops.size() < 2 || nested(fast))) {
     detail::canonicalise(fast);
     return fast;
   }
