@@ -338,16 +338,26 @@ private:
 
 namespace {
 
-/// Edges of the mesh that the intrinsic one does not have are ways, too.
+/// Edges of the mesh that the intrinsic one does not have are ways, too. Sweeps until nothing
+/// changes; few vertices do, so two or three sweeps are the rule.
 void shortenAlongEdges(const TriangleMesh& mesh, double limit, std::vector<double>& distance) {
-  for (const auto& corners : mesh.triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t a = corners[c];
-      const std::uint32_t b = corners[(c + 1) % 3];
-      const double length = (mesh.vertices[b] - mesh.vertices[a]).norm();
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-        const double way = distance[from] + length;
-        distance[to] = way <= limit ? std::min(distance[to], way) : distance[to];
+  constexpr int kMostSweeps = 100;
+  bool changed = true;
+  for (int sweep = 0; changed && sweep < kMostSweeps; ++sweep) {
+    changed = false;
+    for (const auto& corners : mesh.triangles) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t a = corners[c];
+        const std::uint32_t b = corners[(c + 1) % 3];
+        const double length = (mesh.vertices[b] - mesh.vertices[a]).norm();
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+          const double way = distance[from] + length;
+          // Less than this is rounding.
+          if (way <= limit && way < distance[to] - kLeastGain * length) {
+            distance[to] = way;
+            changed = true;
+          }
+        }
       }
     }
   }
