@@ -196,6 +196,7 @@ void reportFieldSpiral(const SpiralPlan& plan,
 }  // namespace
 
 SlicedLayers spiralOnField(const geometry::PartSurface& part,
+                           const geometry::PartSurface& surface,
                            const WallLimits& limits,
                            const SpiralWish& wish,
                            const Sampling& sampling,
@@ -203,7 +204,7 @@ SlicedLayers spiralOnField(const geometry::PartSurface& part,
   const OpenWall wall = openWall(part, limits, context.portion(0.0, 0.5, "field"));
   const SpiralPlan plan = planSpiral(std::vector<double>(kStations, wall.total), wish);
   const SpiralTracer tracer(wall);
-  const geometry::SurfaceProjector projector(part);
+  const geometry::SurfaceProjector projector(surface);
   const JobContext tracing = context.portion(0.5, 1.0, "spiral");
   Contour bead;
   Vec3 up = Vec3::Zero();

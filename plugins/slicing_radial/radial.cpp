@@ -3,6 +3,7 @@
 
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/geometry/refine.hpp"
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
@@ -332,11 +333,13 @@ std::vector<toolpath::LayerLevel> levelsFrom(
 
 class RadialSlicing : public plugin::SlicingStrategy {
 public:
-  [[nodiscard]] toolpath::SlicedLayers slice(const plugin::SliceInput& input,
+  [[nodiscard]] toolpath::SlicedLayers slice(const plugin::SliceInput& given,
                                              const Value& values,
                                              const JobContext& context) const override {
     const Params params = Params::schema().read(values, "slicing around an axis");
-    const Axis axis = axisOf(params, *input.substrate);
+    const Axis axis = axisOf(params, *given.substrate);
+    const plugin::SliceInput input =
+        refined(given, params.step.value(), context.portion(0.0, 0.3, "refinement"));
     double size = 0.0;
     for (const auto& part : input.parts) {
       size = std::max(size, part->mesh.bounds().diagonal());
@@ -354,6 +357,19 @@ public:
   }
 
 private:
+  /// A round field is not linear on large flat triangles.
+  static plugin::SliceInput refined(plugin::SliceInput input,
+                                    double step,
+                                    const JobContext& context) {
+    constexpr double kLayersPerEdge = 2.0;
+    for (std::size_t k = 0; k < input.parts.size(); ++k) {
+      const auto& part = input.parts[k];
+      input.parts[k] = std::make_shared<const geometry::PartSurface>(geometry::refineSurface(
+          *part, geometry::fieldEdgeLength(*part, kLayersPerEdge * step), context));
+    }
+    return input;
+  }
+
   static toolpath::SlicedLayers sliceByHeight(const plugin::SliceInput& input,
                                               const Params& params,
                                               const Axis& axis,

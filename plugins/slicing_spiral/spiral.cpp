@@ -284,7 +284,7 @@ public:
     const toolpath::WallLimits& limits = wall.limits;
     const toolpath::SpiralWish wish = wishOf(params, limits);
     if (params.form == Form::Field) {
-      return toolpath::spiralOnField(fine, limits, wish, input.sampling,
+      return toolpath::spiralOnField(fine, part, limits, wish, input.sampling,
                                      context.portion(0.3, 1.0, "spiral"));
     }
     toolpath::GeneratrixOptions options;
@@ -302,7 +302,7 @@ public:
     }
     const toolpath::SpiralPlan plan = toolpath::planSpiral(lengths, wish);
     reportExcess(generatrices, plan, wish, params, context);
-    return toolpath::spiralAlong(fine, generatrices, plan, wish,
+    return toolpath::spiralAlong(part, generatrices, plan, wish,
                                  context.portion(0.8, 1.0, "spiral"));
   }
 };

@@ -29,7 +29,7 @@ geometry::TriangleMesh flange(double inner, double outer) {
 
 TEST(RadialSlicing, FlangeGrowsFromTheShaftInCircles) {
   const SlicedLayers sliced =
-      test::slice("wcam.slicing.radial", inputOf(test::meshSurface(flange(20.0, 50.0))),
+      test::slice("wcam.slicing.radial", inputOf(test::meshSurface(flange(20.0, 50.5))),
                   R"({"step": 2.0, "start": 20.0})");
   ASSERT_EQ(sliced.layers.size(), 15U);
   EXPECT_TRUE(sliced.curved);
@@ -49,7 +49,7 @@ TEST(RadialSlicing, FlangeGrowsFromTheShaftInCircles) {
     }
   }
   const Toolpath path =
-      buildToolpath(sliced, *inputOf(test::meshSurface(flange(20.0, 50.0))).substrate, PathParams{},
+      buildToolpath(sliced, *inputOf(test::meshSurface(flange(20.0, 50.5))).substrate, PathParams{},
                     JobContext());
   for (const Bead& bead : path.layers.back().beads) {
     for (const PathPoint& point : bead.points) {
@@ -110,7 +110,7 @@ TEST(RadialSlicing, HalfPlanesCutARingIntoCircles) {
 }
 
 TEST(RadialSlicing, BadParametersAreRefused) {
-  const auto part = test::meshSurface(flange(20.0, 50.0));
+  const auto part = test::meshSurface(flange(20.0, 50.5));
   EXPECT_THROW((void)test::slice("wcam.slicing.radial", inputOf(part), R"({"step": 100.0})"),
                Error);
   EXPECT_THROW((void)test::slice("wcam.slicing.radial", inputOf(part),

@@ -30,8 +30,10 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
 ///
 /// Against generatrices it needs no points per revolution and follows the field itself; the number
 /// of revolutions is that of the mean generatrix.
+/// @param surface the part before it was refined: points go onto it
 /// @throws Error(JobFailed) as decomposeWall and planSpiral
 SlicedLayers spiralOnField(const geometry::PartSurface& part,
+                           const geometry::PartSurface& surface,
                            const WallLimits& limits,
                            const SpiralWish& wish,
                            const Sampling& sampling,
