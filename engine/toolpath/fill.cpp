@@ -352,8 +352,7 @@ private:
 
   void addLoops(const Region2& loops, int level) {
     for (const Polyline2& loop : loops.loops) {
-      result_.beads.push_back(
-          {loop, {}, true, level == 0 ? BeadFeature::Wall : BeadFeature::Inset, level});
+      result_.beads.push_back({loop, {}, true, BeadFeature::Inset, level});
     }
   }
 

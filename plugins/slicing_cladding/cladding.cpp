@@ -297,6 +297,7 @@ private:
       layer.up = up;
       layer.nominalHeight = params_.step.value();
       std::size_t folded = 0;
+      std::size_t cut = 0;
       int group = 0;
       for (std::size_t part = 0; part < beads.size(); ++part) {
         for (const SurfaceCurve& curve : beads[part]) {
@@ -304,8 +305,24 @@ private:
               raised(curve, layer.level, params_.step.value(), params_.width.value(), folded);
           contour.part = static_cast<int>(part);
           contour.group = group++;
-          layer.contours.push_back(std::move(contour));
+          std::vector<Contour> pieces = aboveSubstrate(contour, *input_.substrate);
+          cut += pieces.size() == 1 && pieces[0].points.size() == contour.points.size() ? 0U : 1U;
+          for (Contour& piece : pieces) {
+            densify(piece, input_.sampling.maxSpacing);
+            layer.contours.push_back(std::move(piece));
+          }
         }
+      }
+      if (cut > 0) {
+        context_.add({Severity::Information,
+                      "slicing.below_substrate",
+                      "parts of the layer lie below the substrate and were cut away",
+                      "pick the faces to clad, or raise the part above its plate",
+                      {{}, j, -1, -1},
+                      {{"beads", static_cast<double>(cut)}}});
+      }
+      if (layer.contours.empty()) {
+        continue;
       }
       if (folded > 0) {
         context_.add({Severity::Warning,
@@ -318,6 +335,10 @@ private:
                       {{"points", static_cast<double>(folded)}}});
       }
       sliced.layers.push_back(std::move(layer));
+    }
+    if (sliced.layers.empty()) {
+      throw Error(ErrorCode::JobFailed, "all beads lie below the substrate", "cladding",
+                  "raise the part above the substrate");
     }
     return sliced;
   }

@@ -242,4 +242,89 @@ toolpath::Contour raised(const SurfaceCurve& curve,
   return contour;
 }
 
+namespace {
+
+toolpath::ContourPoint between(const toolpath::ContourPoint& a,
+                               const toolpath::ContourPoint& b,
+                               double w) {
+  toolpath::ContourPoint point = a;
+  point.p += w * (b.p - a.p);
+  const Vec3 n = (1.0 - w) * a.n + w * b.n;
+  point.n = n.norm() > 0.0 ? Vec3(n.normalized()) : a.n;
+  return point;
+}
+
+}  // namespace
+
+std::vector<toolpath::Contour> aboveSubstrate(const toolpath::Contour& contour,
+                                              const toolpath::Substrate& substrate) {
+  const std::size_t n = contour.points.size();
+  std::vector<double> height;
+  height.reserve(n);
+  for (const toolpath::ContourPoint& point : contour.points) {
+    height.push_back(substrate.heightAbove(point.p));
+  }
+  const auto below = [&](std::size_t i) { return height[i] < 0.0; };
+  std::size_t first = 0;
+  while (first < n && !below(first)) {
+    ++first;
+  }
+  if (first == n) {
+    return {contour};
+  }
+  // A closed bead is opened at a point below, so that no piece runs over its start.
+  const std::size_t start = contour.closed ? first : 0;
+  const std::size_t count = contour.closed ? n + 1 : n;
+  std::vector<toolpath::Contour> pieces;
+  toolpath::Contour piece = contour;
+  piece.closed = false;
+  piece.points.clear();
+  const auto finish = [&] {
+    if (piece.points.size() > 1) {
+      pieces.push_back(piece);
+    }
+    piece.points.clear();
+  };
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (start + k) % n;
+    if (k > 0) {
+      const std::size_t before = (start + k - 1) % n;
+      if (below(i) != below(before)) {
+        const double w = height[before] / (height[before] - height[i]);
+        // A point on the substrate itself is its own crossing.
+        constexpr double kSamePoint = 1e-9;
+        if (w > kSamePoint && w < 1.0 - kSamePoint) {
+          piece.points.push_back(between(contour.points[before], contour.points[i], w));
+        }
+      }
+    }
+    if (below(i)) {
+      finish();
+    } else {
+      piece.points.push_back(contour.points[i]);
+    }
+  }
+  finish();
+  return pieces;
+}
+
+void densify(toolpath::Contour& contour, double maxSpacing) {
+  const std::size_t n = contour.points.size();
+  std::vector<toolpath::ContourPoint> points;
+  points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const toolpath::ContourPoint& here = contour.points[i];
+    points.push_back(here);
+    if (i + 1 == n && !contour.closed) {
+      break;
+    }
+    const toolpath::ContourPoint& next = contour.points[(i + 1) % n];
+    const double pieces = std::ceil((next.p - here.p).norm() / maxSpacing - 1e-9);
+    for (double k = 1.0; k < pieces; k += 1.0) {
+      points.push_back(between(here, next, k / pieces));
+    }
+  }
+  contour.points = std::move(points);
+}
+
 }  // namespace wcam::cladding

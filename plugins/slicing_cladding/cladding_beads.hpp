@@ -4,6 +4,7 @@
 
 #include "wcam/geometry/aabb_tree.hpp"
 #include "wcam/toolpath/slicing.hpp"
+#include "wcam/toolpath/substrate.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -47,5 +48,13 @@ toolpath::Contour raised(const SurfaceCurve& curve,
                          double layerHeight,
                          double width,
                          std::size_t& folded);
+
+/// The pieces of a bead that lie above the substrate, cut where they pass through it.
+std::vector<toolpath::Contour> aboveSubstrate(const toolpath::Contour& contour,
+                                              const toolpath::Substrate& substrate);
+
+/// Adds points on the chords so that none is longer than `maxSpacing`: raised above a convex edge,
+/// neighbours move apart.
+void densify(toolpath::Contour& contour, double maxSpacing);
 
 }  // namespace wcam::cladding

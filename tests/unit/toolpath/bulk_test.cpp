@@ -91,7 +91,7 @@ TEST(Bulk, BoxIsFilledInEveryLayer) {
   for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
     const auto& contours = sliced.layers[l].contours;
     ASSERT_EQ(contours.size(), 2U);
-    EXPECT_EQ(contours[0].feature, BeadFeature::Wall);
+    EXPECT_EQ(contours[0].feature, BeadFeature::Inset);
     EXPECT_NEAR(lengthOf(contours[0]), 4.0 * 34.0, 1e-6);
     EXPECT_EQ(contours[1].feature, BeadFeature::Fill);
     EXPECT_LT(contours[0].group, contours[1].group);

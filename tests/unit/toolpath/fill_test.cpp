@@ -258,7 +258,7 @@ TEST(Fill, WallsOfASquareFollowTheOverlapModel) {
     const double side = 40.0 - 2.0 * (3.0 + 4.002 * static_cast<double>(k));
     EXPECT_NEAR(geometry::signedArea(fill.beads[k].points), side * side, 1e-6);
     EXPECT_EQ(fill.beads[k].group, static_cast<int>(k));
-    EXPECT_EQ(fill.beads[k].feature, k == 0 ? BeadFeature::Wall : BeadFeature::Inset);
+    EXPECT_EQ(fill.beads[k].feature, BeadFeature::Inset);
   }
   options.order = InsetOrder::InsideFirst;
   EXPECT_NEAR(geometry::signedArea(fillRegion(shapes()[0].area, options).beads[2].points),
@@ -331,7 +331,7 @@ TEST(Fill, MedialBeadsRunFromInsideToOutsideWithinTheirRange) {
   }
   const FillResult fill = fillRegion(shapes()[0].area, beadOf6(FillPattern::Medial));
   ASSERT_GT(fill.beads.size(), 3U);
-  EXPECT_EQ(fill.beads.back().feature, BeadFeature::Wall);
+  EXPECT_EQ(fill.beads.back().feature, BeadFeature::Inset);
   double before = 0.0;
   for (const FillBead& bead : fill.beads) {
     if (bead.closed) {
