@@ -71,6 +71,64 @@ void collect(std::vector<Diagnostic>& findings,
   }
 }
 
+/// Replaces the surface of a part by one side of its solid wall, and tells the wall's thickness.
+void takeSide(io::ImportedPart& part,
+              geometry::WallSide side,
+              const std::string& id,
+              const JobContext& context) {
+  geometry::SolidWall wall = [&] {
+    try {
+      return geometry::solidWall(*part.surface, side, context);
+    } catch (const Error& error) {
+      rethrowIn(error, "part '" + id + "'");
+    }
+  }();
+  part.surface = std::make_shared<const geometry::PartSurface>(std::move(wall.surface));
+  part.wallThickness = std::move(wall.thickness);
+  const geometry::WallThickness& thickness = *part.wallThickness;
+  context.add({Severity::Information,
+               "part.wall_thickness",
+               "the wall of part '" + id + "' is " + formatFixed(thickness.min, 2) + " to " +
+                   formatFixed(thickness.max, 2) + " mm thick, " + formatFixed(thickness.mean, 2) +
+                   " mm in the mean",
+               "",
+               {},
+               {{"min_mm", thickness.min},
+                {"mean_mm", thickness.mean},
+                {"max_mm", thickness.max},
+                {"thinnest_x_mm", thickness.thinnest.x()},
+                {"thinnest_y_mm", thickness.thinnest.y()},
+                {"thinnest_z_mm", thickness.thinnest.z()},
+                {"thickest_x_mm", thickness.thickest.x()},
+                {"thickest_y_mm", thickness.thickest.y()},
+                {"thickest_z_mm", thickness.thickest.z()}}});
+}
+
+/// A bead that is much wider or narrower than the wall gives another part.
+constexpr double kBeadFitsWall = 0.25;
+
+std::vector<Diagnostic> compareWithBead(const io::ImportedPart& part,
+                                        const std::string& id,
+                                        double beadWidth) {
+  if (!part.wallThickness) {
+    return {};
+  }
+  const geometry::WallThickness& wall = *part.wallThickness;
+  if (wall.min >= (1.0 - kBeadFitsWall) * beadWidth &&
+      wall.max <= (1.0 + kBeadFitsWall) * beadWidth) {
+    return {};
+  }
+  return {{Severity::Warning,
+           "part.bead_does_not_fit_wall",
+           "the wall of part '" + id + "' is " + formatFixed(wall.min, 2) + " to " +
+               formatFixed(wall.max, 2) + " mm thick, the bead " + formatFixed(beadWidth, 2) +
+               " mm wide",
+           "choose a process with a bead as wide as the wall, or lay several beads beside each "
+           "other",
+           {},
+           {{"min_mm", wall.min}, {"max_mm", wall.max}, {"bead_width_mm", beadWidth}}}};
+}
+
 void checkParams(const ParamSchema& schema,
                  const Value& params,
                  const std::string& path,
@@ -170,12 +228,18 @@ Staged<io::ImportedPart> Pipeline::stagePart(const std::string& id,
   for (const int face : part.faces) {
     key.text(std::to_string(face));
   }
+  if (part.wallSide) {
+    key.text("side " + std::to_string(static_cast<int>(*part.wallSide)));
+  }
   return stage<io::ImportedPart>("part", std::move(key), context, [&](const JobContext& own) {
     io::ImportedPart imported =
         io::importPart(file, io::importOptionsSchema().read(options), toPose(part.placement), own);
     if (!part.faces.empty()) {
       imported.surface = std::make_shared<const geometry::PartSurface>(
           geometry::selectFaces(*imported.surface, part.faces));
+    }
+    if (part.wallSide) {
+      takeSide(imported, *part.wallSide, id, own);
     }
     return imported;
   });
@@ -337,6 +401,10 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   result.process = processOf(operation, processParams);
   input.bead = {result.process.heightMin.value(), result.process.heightMax.value(),
                 result.process.beadWidth.value()};
+  for (std::size_t i = 0; i < result.parts.size(); ++i) {
+    collect(result.findings,
+            compareWithBead(*result.parts[i], operation.parts[i], input.bead.width), operation.id);
+  }
   const auto strategy = plugins_->findSlicing(operation.strategy);
   const Value sliceParams = strategy->info.params.complete(operation.params, "params");
   sliceKey.text(substrate.key)
