@@ -5,6 +5,8 @@
 
 #include "wcam/base/error.hpp"
 
+#include "inverse_detail.hpp"
+
 namespace wcam::cell {
 
 const Joint& Cell::joint(int index) const {
@@ -17,6 +19,14 @@ Vec3 Cell::verticalInBase() const {
   return T_world_base.linear().row(2).transpose();
 }
 
+double JointSum::value(const JointVector& q) const {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < factors.size(); ++j) {
+    sum += factors[j] * q(static_cast<Eigen::Index>(j));
+  }
+  return sum;
+}
+
 void prepareArm(Cell& cell) {
   cell.arm.reset();
   cell.armProblem.clear();
@@ -25,6 +35,7 @@ void prepareArm(Cell& cell) {
   } catch (const Error& error) {
     cell.armProblem = error.message() + "; " + error.hint();
   }
+  cell.inverse = detail::makeInverse(cell);
 }
 
 }  // namespace wcam::cell

@@ -122,7 +122,9 @@ TEST(CellFile, notesAreAllowed) {
 TEST(CellFile, numberOfJoints) {
   Value file = fanucFile();
   file.findMutable("robot")->findMutable("joints")->mutableArray().pop_back();
-  EXPECT_THAT(problemsOf(file), HasSubstr("robot.joints: expected 6 joints, got 5"));
+  EXPECT_EQ(problemsOf(file), "");
+  file.findMutable("robot")->findMutable("joints")->mutableArray().pop_back();
+  EXPECT_THAT(problemsOf(file), HasSubstr("robot.joints: expected 6 joints (or 5), got 4"));
   file = fanucFile();
   Value::Array& axes = file.findMutable("positioner")->findMutable("joints")->mutableArray();
   axes.push_back(axes[0]);

@@ -8,14 +8,29 @@
 #include "wcam/cell/chain.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wcam::cell {
 
 /// Who moves what: the robot carries the torch and a positioner (with 0, 1 or 2 axes) the part, or
 /// the robot carries the part under a torch that is fixed in the world.
 enum class Configuration { TorchCarried, PartCarried };
+
+class InverseKinematics;
+
+/// A limit on a weighted sum of joints: cables or hoses that several joints wrap (Debout T2: C1 +
+/// C2 of the 7-axis machine; |J4 + J6| of an arm).
+struct JointSum {
+  std::string name;
+  std::vector<double> factors;  ///< one per joint of the cell
+  double min = 0.0;             ///< rad, or mm where the joints are prismatic
+  double max = 0.0;
+
+  [[nodiscard]] double value(const JointVector& q) const;
+};
 
 /// A robot cell (DESIGN 8). A value; derived data (closed-form arm) is found at load time. Joint
 /// vectors hold the robot's joints, then the positioner's, in controller values.
@@ -33,7 +48,7 @@ struct Cell {
   std::string torchName;
 
   Pose T_world_base = Pose::Identity();
-  Chain robot;       ///< base → flange, 6 joints
+  Chain robot;       ///< base → flange, 6 joints, or 5 with a torch
   Chain positioner;  ///< base → table, 0 to 2 joints; unused when the robot carries the part
   Pose T_flange_tcp = Pose::Identity();  ///< torch carried
   Pose T_base_tcp = Pose::Identity();    ///< part carried: the fixed deposition point and its axis
@@ -44,6 +59,10 @@ struct Cell {
   /// second and third axes; armProblem then tells why.
   std::optional<Arm> arm;
   std::string armProblem;
+  /// Inverse kinematics of whatever robot (wcam/cell/inverse.hpp); never null after loading.
+  std::shared_ptr<const InverseKinematics> inverse;
+
+  std::vector<JointSum> sums;
 
   Value source;  ///< the file's content with everything that is not read here (neck, collision)
 
@@ -70,8 +89,8 @@ Cell cellFromValue(const Value& value,
                    const std::string& contextName,
                    const JobContext& context = JobContext());
 
-/// Finds cell.arm from the axes of cell.robot. Called by the loaders; call it again after changing
-/// the chain.
+/// Finds cell.arm and cell.inverse from the axes of cell.robot. Called by the loaders; call it
+/// again after changing the chain or the tool.
 void prepareArm(Cell& cell);
 
 }  // namespace wcam::cell
