@@ -15,6 +15,20 @@ const Joint& Cell::joint(int index) const {
                                : positioner.joints[static_cast<std::size_t>(index - robotJoints())];
 }
 
+JointVector Cell::fromConvention(const std::string& wanted, const JointVector& shown) const {
+  std::string names;
+  for (const ZeroConvention& convention : zeroConventions) {
+    if (convention.name == wanted) {
+      JointVector q = shown;
+      q.head(convention.offsets.size()) -= convention.offsets;
+      return q;
+    }
+    names += (names.empty() ? "" : ", ") + convention.name;
+  }
+  throw Error(ErrorCode::InvalidArgument, "there is no zero convention '" + wanted + "'", "cell " + name,
+              names.empty() ? "the cell file declares none" : "the cell file declares: " + names);
+}
+
 Vec3 Cell::verticalInBase() const {
   return T_world_base.linear().row(2).transpose();
 }

@@ -32,6 +32,8 @@ constexpr int kRobotJoints = 6;
 /// A machine whose tool cannot turn about its own axis; with a torch only.
 constexpr int kFewestRobotJoints = 5;
 constexpr int kMaxPositionerJoints = 2;
+/// Joints that a JointVector holds.
+constexpr int kMostJoints = 12;
 
 std::string joinPath(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
@@ -420,16 +422,46 @@ void readJoints(Reader& reader, const Value& parent, const std::string& path, Ch
   }
 }
 
+/// After the joints, whose units the offsets have.
+void readZeroConventions(Reader& reader, const Value& robot, Cell& cell) {
+  const Value* conventions = reader.object(robot, "robot", "zero_conventions", false);
+  if (conventions == nullptr) {
+    return;
+  }
+  for (const auto& [name, offsets] : conventions->asObject()) {
+    if (name == "comment") {
+      continue;
+    }
+    const std::string path = "robot.zero_conventions." + name;
+    if (!offsets.isArray() || offsets.size() != cell.robot.joints.size()) {
+      reader.problem(path, "expected a list of " + std::to_string(cell.robot.size()) +
+                               " offsets, one per joint");
+      continue;
+    }
+    ZeroConvention convention{name, JointVector(cell.robot.size())};
+    for (int j = 0; j < cell.robot.size(); ++j) {
+      const auto i = static_cast<std::size_t>(j);
+      convention.offsets(j) = fromJointUnit(
+          cell.robot.joints[i],
+          reader.number(offsets.asArray()[i], path + "[" + std::to_string(j) + "]"));
+    }
+    cell.zeroConventions.push_back(std::move(convention));
+  }
+}
+
 void readRobot(Reader& reader, const Value& file, Cell& cell) {
   const Value* robot = reader.object(file, "", "robot", true);
   if (robot == nullptr) {
     return;
   }
-  reader.knownKeys(*robot, "robot", {"name", "T_world_base", "joints", "T_last_flange"});
+  reader.knownKeys(*robot, "robot", {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);
   cell.robot.T_last_tip = reader.pose(*robot, "robot", "T_last_flange", false);
   readJoints(reader, *robot, "robot", cell.robot);
+  if (cell.robot.size() <= kMostJoints) {
+    readZeroConventions(reader, *robot, cell);
+  }
   if (robot->contains("joints") && robot->at("joints").isArray() &&
       cell.robot.size() != kRobotJoints &&
       (cell.partCarried() || cell.robot.size() != kFewestRobotJoints)) {

@@ -93,6 +93,10 @@ public:
       two_.T_last_tip = robot.T_last_tip;
       turned_ = tool.axis;
     }
+    // Where the direction lies against the first axis at zero, a positive motion leads to the other
+    // side than where it lies along it.
+    const bool against = (chainPose(two_, zero.data()).linear() * turned_).dot(first_) < 0.0;
+    positiveSide_ = (two_.joints[1].sign > 0.0) != against ? 1.0 : -1.0;
   }
 
   [[nodiscard]] bool usable() const {
@@ -149,10 +153,10 @@ private:
                : Vec3(T_base_flange.linear() * tool_.axis);
   }
 
-  /// 0 on the side of the first axis to which a positive motion of the second joint leads.
+  /// 0 on the side to which a positive motion of the second joint leads from the posture in which the
+  /// direction is in line with the first axis.
   [[nodiscard]] int sideOf(const Vec3& direction) const {
-    const double side = first_.cross(direction).dot(second_) * two_.joints[1].sign;
-    return side >= 0.0 ? 0 : 1;
+    return first_.cross(direction).dot(second_) * positiveSide_ >= 0.0 ? 0 : 1;
   }
 
   void turnTowards(const Vec3& target,
@@ -165,8 +169,7 @@ private:
     std::size_t chosen = 0;
     if (result.count == 2) {
       // alignAxis gives the side of first × second first; sideOf counts from the other one.
-      const bool positive = two_.joints[1].sign > 0.0;
-      chosen = (branch == 0) == positive ? 1 : 0;
+      chosen = (branch == 0) == (positiveSide_ > 0.0) ? 1 : 0;
     }
     solution.joints(kLinear) = result.solutions[chosen].joints[0];
     solution.joints(kLinear + 1) = result.solutions[chosen].joints[1];
@@ -192,6 +195,7 @@ private:
   Vec3 second_ = Vec3::UnitX();
   Vec3 turned_ = Vec3::UnitZ();  ///< direction that they turn, in the tip of two_
   Eigen::Matrix3d inverseLinear_ = Eigen::Matrix3d::Identity();
+  double positiveSide_ = 1.0;  ///< sign of first × direction · second on the side of branch 0
   double independent_ = 1.0;
   double sines_ = 1.0;
 };

@@ -32,6 +32,13 @@ struct JointSum {
   [[nodiscard]] double value(const JointVector& q) const;
 };
 
+/// Where else somebody counts the robot's joints from: shown value = controller value + offset.
+/// (Carrière's scripts count the axes of the KR360 from another posture than KUKA.)
+struct ZeroConvention {
+  std::string name;
+  JointVector offsets;  ///< one per joint of the robot, rad or mm
+};
+
 /// A robot cell (DESIGN 8). A value; derived data (closed-form arm) is found at load time. Joint
 /// vectors hold the robot's joints, then the positioner's, in controller values.
 ///
@@ -63,6 +70,7 @@ struct Cell {
   std::shared_ptr<const InverseKinematics> inverse;
 
   std::vector<JointSum> sums;
+  std::vector<ZeroConvention> zeroConventions;
 
   Value source;  ///< the file's content with everything that is not read here (neck, collision)
 
@@ -75,6 +83,9 @@ struct Cell {
   [[nodiscard]] int jointCount() const { return robot.size() + positioner.size(); }
 
   [[nodiscard]] const Joint& joint(int index) const;
+  /// Controller values from values counted in a zero convention of the file.
+  /// @throws Error(InvalidArgument) with the known names
+  [[nodiscard]] JointVector fromConvention(const std::string& wanted, const JointVector& shown) const;
   /// Unit vector of the vertical (world z) in the robot base frame.
   [[nodiscard]] Vec3 verticalInBase() const;
 };
