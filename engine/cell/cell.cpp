@@ -25,7 +25,8 @@ JointVector Cell::fromConvention(const std::string& wanted, const JointVector& s
     }
     names += (names.empty() ? "" : ", ") + convention.name;
   }
-  throw Error(ErrorCode::InvalidArgument, "there is no zero convention '" + wanted + "'", "cell " + name,
+  throw Error(ErrorCode::InvalidArgument, "there is no zero convention '" + wanted + "'",
+              "cell " + name,
               names.empty() ? "the cell file declares none" : "the cell file declares: " + names);
 }
 

@@ -441,9 +441,9 @@ void readZeroConventions(Reader& reader, const Value& robot, Cell& cell) {
     ZeroConvention convention{name, JointVector(cell.robot.size())};
     for (int j = 0; j < cell.robot.size(); ++j) {
       const auto i = static_cast<std::size_t>(j);
-      convention.offsets(j) = fromJointUnit(
-          cell.robot.joints[i],
-          reader.number(offsets.asArray()[i], path + "[" + std::to_string(j) + "]"));
+      convention.offsets(j) =
+          fromJointUnit(cell.robot.joints[i],
+                        reader.number(offsets.asArray()[i], path + "[" + std::to_string(j) + "]"));
     }
     cell.zeroConventions.push_back(std::move(convention));
   }
@@ -454,7 +454,8 @@ void readRobot(Reader& reader, const Value& file, Cell& cell) {
   if (robot == nullptr) {
     return;
   }
-  reader.knownKeys(*robot, "robot", {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions"});
+  reader.knownKeys(*robot, "robot",
+                   {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);
   cell.robot.T_last_tip = reader.pose(*robot, "robot", "T_last_flange", false);

@@ -153,8 +153,8 @@ private:
                : Vec3(T_base_flange.linear() * tool_.axis);
   }
 
-  /// 0 on the side to which a positive motion of the second joint leads from the posture in which the
-  /// direction is in line with the first axis.
+  /// 0 on the side to which a positive motion of the second joint leads from the posture in which
+  /// the direction is in line with the first axis.
   [[nodiscard]] int sideOf(const Vec3& direction) const {
     return first_.cross(direction).dot(second_) * positiveSide_ >= 0.0 ? 0 : 1;
   }

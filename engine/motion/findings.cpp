@@ -123,17 +123,15 @@ private:
       if (std::abs(step) > kPi && cell::periodicJoint(cell_, joint)) {
         turns_[j].add(std::abs(step), point.point, joint);
       }
-    } else if (!cell_.joint(joint).prismatic() &&
-               std::abs(step) > params_.maxJointStep.value() && point.reachable &&
-               before.reachable) {
+    } else if (!cell_.joint(joint).prismatic() && std::abs(step) > params_.maxJointStep.value() &&
+               point.reachable && before.reachable) {
       steps_[j].add(std::abs(step), point.point, joint);
     }
   }
 
   /// A joint's speed holds the torch back; what its acceleration does is told by reportSpeeds.
   [[nodiscard]] bool jointsTooSlow(const Waypoint& point, const Waypoint& before) const {
-    const double length =
-        (point.T_part_tcp.translation() - before.T_part_tcp.translation()).norm();
+    const double length = (point.T_part_tcp.translation() - before.T_part_tcp.translation()).norm();
     return jointTime(cell_, before.joints, point.joints, 1.0) * point.speed >
            length * (1.0 + kSlower);
   }

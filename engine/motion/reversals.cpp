@@ -77,7 +77,8 @@ std::vector<Reversal> jointReversals(const Motion& motion,
         reversal.direction = follower.direction();
         reversal.time = turned.time;
         if (cell.joint(j).backlash > 0.0) {
-          // The joint's side lags behind by the backlash: the TCP stays back against the new motion.
+          // The joint's side lags behind by the backlash: the TCP stays back against the new
+          // motion.
           reversal.effect = -reversal.direction * cell.joint(j).backlash *
                             cell::partJacobian(cell, turned.joints).col(j);
         }
@@ -85,9 +86,8 @@ std::vector<Reversal> jointReversals(const Motion& motion,
       }
     }
   }
-  std::stable_sort(
-      reversals.begin(), reversals.end(),
-      [](const Reversal& a, const Reversal& b) { return a.waypoint < b.waypoint; });
+  std::stable_sort(reversals.begin(), reversals.end(),
+                   [](const Reversal& a, const Reversal& b) { return a.waypoint < b.waypoint; });
   return reversals;
 }
 

@@ -10,15 +10,19 @@ namespace wcam::motion::detail {
 
 namespace {
 
-/// Appends a time with constant acceleration over `length` from x = a to x = b.
-void addRamp(double length, double a, double b, std::vector<SpeedInterval>& intervals) {
+/// Appends a time with constant acceleration over `length` from x = a to x = b. The acceleration is
+/// given: of a very short ramp the difference of speeds would be rounding.
+void addRamp(double length,
+             double a,
+             double b,
+             double acceleration,
+             std::vector<SpeedInterval>& intervals) {
   const double va = std::sqrt(a);
   const double vb = std::sqrt(b);
   if (!(length > 0.0) || !(va + vb > 0.0)) {
     return;
   }
-  const double time = 2.0 * length / (va + vb);
-  intervals.push_back({time, va, (vb - va) / time});
+  intervals.push_back({2.0 * length / (va + vb), va, acceleration});
 }
 
 /// A straight piece as straightTime in speed_law.cpp goes it.
@@ -31,9 +35,9 @@ void addStraight(double length,
   const double top = std::max({std::min(cap, 0.5 * (a + b) + gain * length), a, b});
   const double up = std::min((top - a) / (2.0 * gain), length);
   const double down = std::min((top - b) / (2.0 * gain), length - up);
-  addRamp(up, a, top, intervals);
-  addRamp(length - up - down, top, top, intervals);
-  addRamp(down, top, b, intervals);
+  addRamp(up, a, top, gain, intervals);
+  addRamp(length - up - down, top, top, 0.0, intervals);
+  addRamp(down, top, b, -gain, intervals);
 }
 
 /// Way and its integral over time of a law made of intervals, evaluated at growing times.
@@ -148,10 +152,9 @@ private:
       result_.accelerationShare = std::max(result_.accelerationShare, gain);
       const JointBounds& bounds = limits_.joints[j];
       if (std::isfinite(bounds.jerk) && std::isfinite(bounds.acceleration)) {
-        const double jerk = std::abs(slope * moment.jerk +
-                                     3.0 * curvature * moment.speed * moment.acceleration);
-        result_.jerkShare =
-            std::max(result_.jerkShare, jerk * bounds.acceleration / bounds.jerk);
+        const double jerk =
+            std::abs(slope * moment.jerk + 3.0 * curvature * moment.speed * moment.acceleration);
+        result_.jerkShare = std::max(result_.jerkShare, jerk * bounds.acceleration / bounds.jerk);
       }
     }
   }
@@ -184,9 +187,7 @@ public:
             (now_.acceleration() - then_.acceleration()) / window_};
   }
 
-  [[nodiscard]] double nextBreak() const {
-    return std::min(now_.nextBreak(), then_.nextBreak());
-  }
+  [[nodiscard]] double nextBreak() const { return std::min(now_.nextBreak(), then_.nextBreak()); }
 
 private:
   WayOverTime now_;
@@ -232,7 +233,9 @@ void speedIntervals(const SpeedPieces& pieces,
                   pieces.cap[i], intervals);
     }
     marks[i] = intervals.size();
-    addRamp(pieces.zone[i], nodes.before[i], nodes.after[i], intervals);
+    const double zone = pieces.zone[i];
+    addRamp(zone, nodes.before[i], nodes.after[i],
+            zone > 0.0 ? (nodes.after[i] - nodes.before[i]) / (2.0 * zone) : 0.0, intervals);
   }
 }
 

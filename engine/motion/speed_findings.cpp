@@ -34,8 +34,7 @@ Limiter limiterAt(const Motion& motion, const std::vector<JointBounds>& bounds, 
   const double after = points[last].time - points[i].time;
   for (std::size_t j = 0; j < bounds.size(); ++j) {
     const auto k = static_cast<Eigen::Index>(j);
-    const double v0 =
-        before > 0.0 ? (points[i].joints(k) - points[i - 1].joints(k)) / before : 0.0;
+    const double v0 = before > 0.0 ? (points[i].joints(k) - points[i - 1].joints(k)) / before : 0.0;
     const double v1 = after > 0.0 ? (points[last].joints(k) - points[i].joints(k)) / after : v0;
     const double speedShare = std::max(std::abs(v0), std::abs(v1)) / bounds[j].speed;
     const double gain = before + after > 0.0 ? 2.0 * std::abs(v1 - v0) / (before + after) : 0.0;
@@ -125,12 +124,9 @@ private:
     const std::string more =
         count > 1 ? ", the worst of " + std::to_string(count) + " places" : std::string();
     std::vector<std::pair<std::string, double>> data = {
-        {"speed_mm_s", point.tcpSpeed},
-        {"speed_ratio", event.ratio},
-        {"joint", limiter.joint + 1.0},
-        {"limit_share", limiter.share},
-        {"time_s", point.time},
-        {"places", static_cast<double>(count)}};
+        {"speed_mm_s", point.tcpSpeed}, {"speed_ratio", event.ratio},
+        {"joint", limiter.joint + 1.0}, {"limit_share", limiter.share},
+        {"time_s", point.time},         {"places", static_cast<double>(count)}};
     const Place place{operation_, point.layer, point.bead, point.point};
     if (event.peak) {
       context_.add({Severity::Warning, "motion.speed_peak",

@@ -69,32 +69,40 @@ void addSegments(const SpeedPath& path, const SpeedLimits& limits, SpeedPieces& 
   }
 }
 
-/// Half lengths of the zones, and what the path's own curvature allows in them.
+/// True where no joint changes its slope: the zone of such a point would only hinder a change of
+/// acceleration in it.
+bool isStraight(const double* k, std::size_t width) {
+  bool straight = true;
+  for (std::size_t j = 0; j < width; ++j) {
+    straight = straight && std::abs(k[width + j] - k[j]) <=
+                               kNoCorner * (std::abs(k[j]) + std::abs(k[width + j]));
+  }
+  return straight;
+}
+
+/// Lengths of the zones, and what the path's own curvature allows in them.
 void addZones(const SpeedPath& path, const SpeedLimits& limits, SpeedPieces& pieces) {
   const std::size_t n = path.size();
   const auto width = static_cast<std::size_t>(pieces.width);
   const bool curved = std::isfinite(limits.pathAcceleration) && !limits.tangents.empty();
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    const double half = std::min({limits.blend, 0.5 * path.length[i], 0.5 * path.length[i + 1]});
-    pieces.zone[i] = 2.0 * half;
-    double cap = std::min(pieces.cap[i], pieces.cap[i + 1]);
     double turn = 0.0;
     if (curved) {
       const double* t = limits.tangents.data() + 3 * i;
       turn = std::hypot(t[3] - t[0], t[4] - t[1], t[5] - t[2]);
-      if (turn > kNoCorner) {
-        cap = std::min(cap, limits.pathAcceleration * kHalfRoot * pieces.zone[i] / turn);
-      }
     }
+    pieces.zoneCap[i] = std::min(pieces.cap[i], pieces.cap[i + 1]);
+    if (turn <= kNoCorner && isStraight(pieces.slope.data() + i * width, width)) {
+      continue;
+    }
+    const double half = std::min({limits.blend, 0.5 * path.length[i], 0.5 * path.length[i + 1]});
+    pieces.zone[i] = 2.0 * half;
     if (half == 0.0) {
-      const double* k = pieces.slope.data() + i * width;
-      for (std::size_t j = 0; j < width; ++j) {
-        if (std::abs(k[width + j] - k[j]) > kNoCorner * (std::abs(k[j]) + std::abs(k[width + j]))) {
-          cap = 0.0;
-        }
-      }
+      pieces.zoneCap[i] = 0.0;
+    } else if (turn > kNoCorner) {
+      pieces.zoneCap[i] = std::min(pieces.zoneCap[i],
+                                   limits.pathAcceleration * kHalfRoot * pieces.zone[i] / turn);
     }
-    pieces.zoneCap[i] = cap;
   }
   for (std::size_t i = 1; i < n; ++i) {
     pieces.straight[i] =
@@ -161,7 +169,8 @@ SpeedLaw accelerationLimited(const SpeedPath& path, const SpeedLimits& limits) {
   return lawOf(pieces, nodes);
 }
 
-/// The least cap within `reach` before and after each node: what an average over time may still see.
+/// The least cap within `reach` before and after each node: what an average over time may still
+/// see.
 void widenCaps(const SpeedPath& path, double reach, SpeedPieces& pieces) {
   const std::size_t n = path.size();
   std::vector<double> at(n, 0.0);
@@ -231,9 +240,7 @@ void slowDown(double factor, SpeedLaw& law) {
 }
 
 /// One attempt with a given window of the average.
-detail::FilteredLaw filteredLaw(const SpeedPath& path,
-                                const SpeedLimits& limits,
-                                double window) {
+detail::FilteredLaw filteredLaw(const SpeedPath& path, const SpeedLimits& limits, double window) {
   SpeedPieces pieces = makePieces(path, limits);
   const double fastest = std::sqrt(*std::max_element(pieces.cap.begin(), pieces.cap.end()));
   const SpeedPieces free = pieces;
@@ -260,9 +267,8 @@ SpeedLaw jerkLimited(const SpeedPath& path, const SpeedLimits& limits, double wi
       result = std::move(longer);
     }
   }
-  const double factor =
-      std::max({1.0, result.speedShare, std::sqrt(result.accelerationShare),
-                std::cbrt(result.jerkShare)});
+  const double factor = std::max(
+      {1.0, result.speedShare, std::sqrt(result.accelerationShare), std::cbrt(result.jerkShare)});
   if (factor > kMet) {
     slowDown(factor, result.law);
   }

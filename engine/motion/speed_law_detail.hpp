@@ -9,13 +9,13 @@ namespace wcam::motion::detail {
 
 /// The path in pieces: before point i the straight rest of its segment, around it its zone.
 struct SpeedPieces {
-  int width = 8;                  ///< joints, padded
-  std::vector<double> slope;      ///< points × width: q' of the segment over the joint's limit
-  std::vector<double> straight;   ///< length of the straight piece before the zone of point i
-  std::vector<double> zone;       ///< length 2δ of the zone around point i
-  std::vector<double> cap;        ///< greatest x of the segment that ends at i
-  std::vector<double> gain;       ///< greatest |s̈| of it
-  std::vector<double> zoneCap;    ///< greatest x in the zone of point i
+  int width = 8;                 ///< joints, padded
+  std::vector<double> slope;     ///< points × width: q' of the segment over the joint's limit
+  std::vector<double> straight;  ///< length of the straight piece before the zone of point i
+  std::vector<double> zone;      ///< length 2δ of the zone around point i
+  std::vector<double> cap;       ///< greatest x of the segment that ends at i
+  std::vector<double> gain;      ///< greatest |s̈| of it
+  std::vector<double> zoneCap;   ///< greatest x in the zone of point i
 };
 
 /// x at the ends of the zones, before and after each point.
@@ -40,7 +40,8 @@ void speedIntervals(const SpeedPieces& pieces,
                     std::vector<SpeedInterval>& intervals,
                     std::vector<std::size_t>& marks);
 
-/// The law averaged over `window` seconds, with the figures that tell how far it stays in the limits.
+/// The law averaged over `window` seconds, with the figures that tell how far it stays in the
+/// limits.
 struct FilteredLaw {
   SpeedLaw law;
   double accelerationShare = 0.0;  ///< greatest joint acceleration over its limit

@@ -8,8 +8,8 @@
 
 // Vectorised for the processor found at run time. Products, sums and extremes only, without
 // contraction: the same bits on every processor.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define WCAM_CLONES __attribute__((target_clones("default", "avx2", "arch=skylake-avx512")))
 #else
 #define WCAM_CLONES
@@ -59,8 +59,8 @@ struct EndRange {
 };
 
 /// One strip |alpha·a + beta·b| ≤ bound.
-inline void addStrip(double alpha, double beta, double bound, double a, double top,
-                     EndRange& range) {
+inline void addStrip(
+    double alpha, double beta, double bound, double a, double top, EndRange& range) {
   if (std::abs(beta) * top <= kNoFactor * bound) {
     if (std::abs(alpha) * range.greatestStart > bound) {
       range.greatestStart = bound / std::abs(alpha);
@@ -97,8 +97,9 @@ inline EndRange endRange(const ZoneRows& rows, double a, double top, double grea
   return range;
 }
 
-/// Greatest x at the zone's start, at most `cap`, from which the end can be met below `top`. The gap
-/// high − low is concave in a and not negative at 0: Newton steps from the right end in its zero.
+/// Greatest x at the zone's start, at most `cap`, from which the end can be met below `top`. The
+/// gap high − low is concave in a and not negative at 0: Newton steps from the right end in its
+/// zero.
 template <int W>
 inline double greatestStart(const ZoneRows& rows, double cap, double top) {
   if (fits<W>(rows, cap, top)) {

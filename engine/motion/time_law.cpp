@@ -71,8 +71,8 @@ double jointMoveTime(const Waypoint& from,
   return time;
 }
 
-/// The time of a segment when speeds may change at once: its length over the wanted speed, or longer
-/// when a joint could not follow.
+/// The time of a segment when speeds may change at once: its length over the wanted speed, or
+/// longer when a joint could not follow.
 double plainTime(const cell::Cell& cell, const Waypoint& from, const Waypoint& to, double length) {
   const double step = detail::jointTime(cell, from.joints, to.joints, 1.0);
   return to.speed > 0.0 ? std::max(step, length / to.speed) : step;
@@ -97,8 +97,7 @@ public:
 
   /// A point at which nothing moves takes the time and place of the one before.
   void add(const Waypoint& before, const Waypoint& point, std::size_t index) {
-    const Eigen::Vector3d step =
-        point.T_part_tcp.translation() - before.T_part_tcp.translation();
+    const Eigen::Vector3d step = point.T_part_tcp.translation() - before.T_part_tcp.translation();
     const double length = step.norm();
     if (length > kSamePlace) {
       append(point, index, length,

@@ -20,7 +20,7 @@ CellFacts factsOf(const cell::Cell& cell, const std::string& branch) {
   }
   for (int j = 0; j < cell.jointCount(); ++j) {
     facts.jointNames.push_back(cell.joint(j).name);
-    facts.linearJoint.push_back(false);
+    facts.linearJoint.push_back(cell.joint(j).prismatic());
     facts.jointSpeeds.push_back(cell.joint(j).maxSpeed);
   }
   facts.T_flange_tcp = cell.T_flange_tcp;

@@ -50,8 +50,7 @@ TEST(Inverse, armIsTheClosedFormItself) {
     const int branch = cell.inverse->branchOf(q.data());
     EXPECT_EQ(cell.inverse->branchName(branch), branchOf(*cell.arm, q.data()).name());
     const InverseSolution solution = cell.inverse->solve(flange, branch, q.data());
-    const IkSolution direct =
-        inverseArm(*cell.arm, flange, Branch::fromIndex(branch), q.data());
+    const IkSolution direct = inverseArm(*cell.arm, flange, Branch::fromIndex(branch), q.data());
     ASSERT_TRUE(solution.reachable);
     EXPECT_EQ(solution.joints, JointVector(direct.joints));
     EXPECT_EQ(solution.wristSine, direct.wristSine);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The machines of Debout's thesis: closed forms, the listing of Annex 7, the choice of the solution.
+// The machines of Debout's thesis: closed forms, the listing of Annex 7, the choice of the
+// solution.
 
 #include "wcam/base/error.hpp"
 #include "wcam/cell/joint_choice.hpp"
@@ -29,15 +30,16 @@ JointVector machine(double x, double y, double z, double c1, double a, double c2
   return q;
 }
 
-/// The thesis' part frame has y along the axis of the table, which is z here: (x, y, z) → (z, x, y).
+/// The thesis' part frame has y along the axis of the table, which is z here: (x, y, z) → (z, x,
+/// y).
 Vec3 fromThesis(const Vec3& v) {
   return {v.z(), v.x(), v.y()};
 }
 
-/// Flange pose for a point, its normal and the tangent in the thesis' part frame at a given B (deg).
+/// Flange pose for a point, its normal and the tangent in the thesis' part frame at a given B
+/// (deg).
 Pose flangeAt(const Vec3& p, const Vec3& n, const Vec3& t, double b) {
-  const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(degToRad(b), Vec3::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(degToRad(b), Vec3::UnitZ()).toRotationMatrix();
   Pose pose = Pose::Identity();
   const Vec3 z = -(turn * fromThesis(n)).normalized();
   Vec3 x = turn * fromThesis(t);
@@ -86,9 +88,8 @@ TEST(FiveAxes, rollerAlongTheTransverseDirection) {
     const double c = std::atan2(-t.x(), t.y());
     bool found = false;
     for (int branch = 0; branch < 2; ++branch) {
-      const InverseSolution solution =
-          solveTool(cell, {100, -2000, 3000}, cell.T_world_base.linear().transpose() * t, 0.0,
-                    branch);
+      const InverseSolution solution = solveTool(
+          cell, {100, -2000, 3000}, cell.T_world_base.linear().transpose() * t, 0.0, branch);
       ASSERT_TRUE(solution.reachable);
       const double offA = std::remainder(solution.joints(4) - a, 2 * kPi);
       const double offC = std::remainder(solution.joints(3) - c, 2 * kPi);
@@ -115,8 +116,8 @@ TEST(SevenAxes, chainIsTheClosedForm) {
     p.linear().col(0) << ux * c2 - cb * cc * s2, cc * ca * c2 - sc * s2, uz * c2 - sb * cc * s2;
     p.linear().col(1) << ux * s2 + cb * cc * c2, cc * ca * s2 + sc * c2, uz * s2 + sb * cc * c2;
     p.linear().col(2) << -cb * sc * sa + sb * ca, cc * sa, -sb * sc * sa - cb * ca;
-    p.translation() << p.linear()(0, 2) * r7 + cb * q(0) - sb * q(2),
-        p.linear()(1, 2) * r7 + q(1), p.linear()(2, 2) * r7 + cb * q(2) + sb * q(0);
+    p.translation() << p.linear()(0, 2) * r7 + cb * q(0) - sb * q(2), p.linear()(1, 2) * r7 + q(1),
+        p.linear()(2, 2) * r7 + cb * q(2) + sb * q(0);
     const Pose mine = T_base_part(cell, q).inverse() * T_base_flange(cell, q);
     Eigen::Matrix3d turned;
     turned << fromThesis(p.linear().col(0)), fromThesis(p.linear().col(1)),
@@ -133,14 +134,76 @@ struct ListingRow {
 
 /// Rows of Annex 7 with the part data that the method page derives from them.
 std::vector<ListingRow> listing() {
-  return {
-      {-2343.62, -122.214, -1103.5, 127.96, 36.2141, 13.6491, 34.8537, {922.3, -429.3, 853.1}, {0.8433, 0.3634, 0.3959}, {-0.0601, -0.6683, 0.7414}},
-      {-2241.58, -286.85, -1029.77, 124.754, 35.0959, 15.1764, 26.0875, {896.3, -563.8, 998.8}, {0.7840, 0.3278, 0.5271}, {-0.2046, -0.6652, 0.7180}},
-      {-2147.56, -448.257, -972.068, 121.596, 34.1306, 17.1607, 17.7524, {842.3, -696.7, 1138.2}, {0.7075, 0.2940, 0.6426}, {-0.3309, -0.6657, 0.6688}},
-      {-2104.79, -528.781, -948.101, 120.051, 33.7037, 18.5141, 13.8142, {806.6, -763.6, 1203.5}, {0.6651, 0.2779, 0.6932}, {-0.3830, -0.6699, 0.6360}},
-      {-2045.65, -649.172, -917.328, 117.814, 33.1351, 20.4758, 8.16395, {743.8, -864.7, 1295.0}, {0.5975, 0.2551, 0.7602}, {-0.4525, -0.6754, 0.5822}},
-      {-1974.28, -808.641, -885.061, 115.012, 32.5012, 22.931, 0.990747, {645.2, -1000.6, 1403.7}, {0.5014, 0.2272, 0.8348}, {-0.5305, -0.6815, 0.5041}},
-      {-1925.11, -927.29, -866.98, 113.065, 32.1088, 24.6399, -4.19602, {561.8, -1103.3, 1474.7}, {0.4258, 0.2082, 0.8806}, {-0.5789, -0.6852, 0.4420}}};
+  return {{-2343.62,
+           -122.214,
+           -1103.5,
+           127.96,
+           36.2141,
+           13.6491,
+           34.8537,
+           {922.3, -429.3, 853.1},
+           {0.8433, 0.3634, 0.3959},
+           {-0.0601, -0.6683, 0.7414}},
+          {-2241.58,
+           -286.85,
+           -1029.77,
+           124.754,
+           35.0959,
+           15.1764,
+           26.0875,
+           {896.3, -563.8, 998.8},
+           {0.7840, 0.3278, 0.5271},
+           {-0.2046, -0.6652, 0.7180}},
+          {-2147.56,
+           -448.257,
+           -972.068,
+           121.596,
+           34.1306,
+           17.1607,
+           17.7524,
+           {842.3, -696.7, 1138.2},
+           {0.7075, 0.2940, 0.6426},
+           {-0.3309, -0.6657, 0.6688}},
+          {-2104.79,
+           -528.781,
+           -948.101,
+           120.051,
+           33.7037,
+           18.5141,
+           13.8142,
+           {806.6, -763.6, 1203.5},
+           {0.6651, 0.2779, 0.6932},
+           {-0.3830, -0.6699, 0.6360}},
+          {-2045.65,
+           -649.172,
+           -917.328,
+           117.814,
+           33.1351,
+           20.4758,
+           8.16395,
+           {743.8, -864.7, 1295.0},
+           {0.5975, 0.2551, 0.7602},
+           {-0.4525, -0.6754, 0.5822}},
+          {-1974.28,
+           -808.641,
+           -885.061,
+           115.012,
+           32.5012,
+           22.931,
+           0.990747,
+           {645.2, -1000.6, 1403.7},
+           {0.5014, 0.2272, 0.8348},
+           {-0.5305, -0.6815, 0.5041}},
+          {-1925.11,
+           -927.29,
+           -866.98,
+           113.065,
+           32.1088,
+           24.6399,
+           -4.19602,
+           {561.8, -1103.3, 1474.7},
+           {0.4258, 0.2082, 0.8806},
+           {-0.5789, -0.6852, 0.4420}}};
 }
 
 TEST(SevenAxes, listingOfAnnexSeven) {
@@ -217,9 +280,9 @@ int numberInTable(const JointVector& q, const JointVector& base) {
   const double c1 = radToDeg(q(3) - base(3));
   const double c2 = radToDeg(q(5) - base(5));
   const bool turned = q(4) < 0;
-  const double rows[11][3] = {{0, 0, 0},     {0, 0, 360},   {0, 0, -360}, {1, 180, 180},
+  const double rows[11][3] = {{0, 0, 0},      {0, 0, 360},     {0, 0, -360},   {1, 180, 180},
                               {1, 180, -180}, {1, -180, -180}, {1, -180, 180}, {0, 360, 0},
-                              {0, -360, 0},  {0, 360, -360}, {0, -360, 360}};
+                              {0, -360, 0},   {0, 360, -360},  {0, -360, 360}};
   for (int k = 0; k < 11; ++k) {
     if ((rows[k][0] != 0) == turned && std::abs(rows[k][1] - c1) < 1e-6 &&
         std::abs(rows[k][2] - c2) < 1e-6) {
@@ -266,10 +329,12 @@ TEST(SevenAxes, admissibleCandidates) {
   EXPECT_EQ(admissibleNumbers(cell, testOnePoint(2)), (std::set<int>{3, 6}));
   EXPECT_EQ(admissibleNumbers(cell, testOnePoint(3)), (std::set<int>{3, 6}));
   EXPECT_EQ(admissibleNumbers(cell, testOnePoint(4)), (std::set<int>{1, 7}));
+
   struct Row {
     double c1, a, c2;
     std::set<int> numbers;
   };
+
   const Row rows[] = {{-61.389, -17.537, 199.449, {1, 7}}, {38.148, -9.062, 108.871, {2, 4}},
                       {55.359, -12.097, 93.803, {2, 4}},   {95.347, 28.983, -5.111, {1, 7}},
                       {97.543, 20.179, -6.989, {1, 7}},    {104.042, 11.743, -13.670, {1, 7}},

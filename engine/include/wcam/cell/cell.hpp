@@ -85,7 +85,8 @@ struct Cell {
   [[nodiscard]] const Joint& joint(int index) const;
   /// Controller values from values counted in a zero convention of the file.
   /// @throws Error(InvalidArgument) with the known names
-  [[nodiscard]] JointVector fromConvention(const std::string& wanted, const JointVector& shown) const;
+  [[nodiscard]] JointVector fromConvention(const std::string& wanted,
+                                           const JointVector& shown) const;
   /// Unit vector of the vertical (world z) in the robot base frame.
   [[nodiscard]] Vec3 verticalInBase() const;
 };

@@ -71,7 +71,7 @@ struct MotionStatistics {
       0.0;  ///< angle between a point's up and the vertical, torch carried, rad
   std::size_t unreachableWaypoints = 0;
   std::vector<Reversal> reversals;  ///< of all joints, in order
-  std::string branch;  ///< "NUT" …, see cell::Branch
+  std::string branch;               ///< "NUT" …, see cell::Branch
 };
 
 /// What planMotion returns.

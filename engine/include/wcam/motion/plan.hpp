@@ -72,9 +72,9 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
 /// Fills time and tcpSpeed of all waypoints. The length of the path is the master: linear moves
 /// between two stops follow wcam/motion/speed_law.hpp with the wanted speed as the cap; joint moves
 /// go from rest to rest. The torch stops where the program does: at its ends, at joint moves, where
-/// the arc goes on or off. Without any acceleration (cell file, parameters) speeds change at once: a
-/// segment takes its length over its speed, or longer when a joint could not follow. Points at which
-/// nothing moves take no time. With wireFollowsSpeed the wire feed is lowered with the speed.
+/// the arc goes on or off. Without any acceleration (cell file, parameters) speeds change at once:
+/// a segment takes its length over its speed, or longer when a joint could not follow. Points at
+/// which nothing moves take no time. With wireFollowsSpeed the wire feed is lowered with the speed.
 void applyTimeLaw(Motion& motion,
                   const cell::Cell& cell,
                   const TimeLawParams& params,

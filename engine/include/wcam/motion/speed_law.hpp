@@ -10,9 +10,9 @@
 /// that no joint exceeds its speed, acceleration or jerk. Knows nothing of robots.
 ///
 /// Model of the controller: joints are straight lines over s between the points, and round each
-/// corner within a zone: q' changes linearly over δ before and after the point, δ being the least of
-/// the blending radius and half of both neighbouring segments. So dense points of a smooth path make
-/// one smooth path, and a lone corner is as fast as its zone allows.
+/// corner within a zone: q' changes linearly over δ before and after the point, δ being the least
+/// of the blending radius and half of both neighbouring segments. So dense points of a smooth path
+/// make one smooth path, and a lone corner is as fast as its zone allows.
 namespace wcam::motion {
 
 /// Limits of one joint; infinite where there is none.
@@ -37,8 +37,8 @@ struct SpeedPath {
 struct SpeedLimits {
   std::vector<JointBounds> joints;
   double blend = 1.0;  ///< greatest δ, in units of s; 0: exact stop at every corner
-  /// Greatest acceleration of the point on the path (of a path in space of unit speed), and the unit
-  /// tangents of the segments (points × 3) for it; infinite: none, tangents may be empty.
+  /// Greatest acceleration of the point on the path (of a path in space of unit speed), and the
+  /// unit tangents of the segments (points × 3) for it; infinite: none, tangents may be empty.
   double pathAcceleration = std::numeric_limits<double>::infinity();
   std::vector<double> tangents;
 };
@@ -51,9 +51,9 @@ struct SpeedLaw {
 };
 
 /// The time-optimal law under speed and acceleration limits: forward and backward reachability of
-/// x = ṡ² with an exact linear programme in two variables for each zone. Exact between the points as
-/// well: within a zone s̈ is constant and q' linear, so that the joint accelerations are extreme at
-/// its ends. With jerk limits the law is then averaged over time (the moving average that
+/// x = ṡ² with an exact linear programme in two variables for each zone. Exact between the points
+/// as well: within a zone s̈ is constant and q' linear, so that the joint accelerations are extreme
+/// at its ends. With jerk limits the law is then averaged over time (the moving average that
 /// controllers use), after caps were widened by the way of the average, and slowed down as a whole
 /// where a limit would still be exceeded. The jerk that counts is q'·s⃛ + 3·q''·ṡ·s̈.
 ///
