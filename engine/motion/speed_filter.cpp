@@ -12,11 +12,8 @@ namespace {
 
 /// Appends a time with constant acceleration over `length` from x = a to x = b. The acceleration is
 /// given: of a very short ramp the difference of speeds would be rounding.
-void addRamp(double length,
-             double a,
-             double b,
-             double acceleration,
-             std::vector<SpeedInterval>& intervals) {
+void addRamp(
+    double length, double a, double b, double acceleration, std::vector<SpeedInterval>& intervals) {
   const double va = std::sqrt(a);
   const double vb = std::sqrt(b);
   if (!(length > 0.0) || !(va + vb > 0.0)) {

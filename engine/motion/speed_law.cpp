@@ -28,7 +28,7 @@ constexpr double kMet = 1.0 + 1e-9;
 const double kHalfRoot = std::sqrt(0.5);
 
 int paddedWidth(int joints) {
-  return joints <= 4 ? 4 : joints <= 8 ? 8 : 12;
+  return joints <= 4 ? 4 : joints <= 8 ? 8 : 16;
 }
 
 double finiteInverse(double limit) {
@@ -100,8 +100,8 @@ void addZones(const SpeedPath& path, const SpeedLimits& limits, SpeedPieces& pie
     if (half == 0.0) {
       pieces.zoneCap[i] = 0.0;
     } else if (turn > kNoCorner) {
-      pieces.zoneCap[i] = std::min(pieces.zoneCap[i],
-                                   limits.pathAcceleration * kHalfRoot * pieces.zone[i] / turn);
+      pieces.zoneCap[i] =
+          std::min(pieces.zoneCap[i], limits.pathAcceleration * kHalfRoot * pieces.zone[i] / turn);
     }
   }
   for (std::size_t i = 1; i < n; ++i) {

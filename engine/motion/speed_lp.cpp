@@ -6,15 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-// Vectorised for the processor found at run time. Products, sums and extremes only, without
-// contraction: the same bits on every processor.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define WCAM_CLONES __attribute__((target_clones("default", "avx2", "arch=skylake-avx512")))
-#else
-#define WCAM_CLONES
-#endif
-
 namespace wcam::motion::detail {
 
 namespace {
@@ -23,6 +14,10 @@ namespace {
 /// there does not bind it.
 constexpr double kNoFactor = 1e-13;
 constexpr int kMaxNewton = 64;
+/// First guess of a zone's result over that of its neighbour.
+constexpr double kBeyond = 1.02;
+/// Half width of a strip that binds nothing.
+constexpr double kUnbound = 1e300;
 
 /// The acceleration of joint j in a zone of length ℓ from slope k0 to k1 with x from a to b is
 /// (q' s̈ + q'' x) = (k·(b − a) + 2·(k1 − k0)·x) / (2ℓ): linear in s, extreme at the ends.
@@ -42,77 +37,124 @@ inline bool fits(const ZoneRows& rows, double a, double b) {
     const double atEnd = std::abs(rows.k1[j] * step + turn * b);
     worst[j] = atStart > atEnd ? atStart : atEnd;
   }
-  double most = 0.0;
-  for (int j = 0; j < W; ++j) {
-    most = worst[j] > most ? worst[j] : most;
+  for (int n = W / 2; n > 0; n /= 2) {
+    for (int j = 0; j < n; ++j) {
+      worst[j] = worst[j] > worst[j + n] ? worst[j] : worst[j + n];
+    }
   }
-  return most <= rows.bound;
+  return worst[0] <= rows.bound;
 }
 
-/// Bounds of b at a given a: low(a) ≤ b ≤ high(a), each the extreme of lines, with their slopes.
+/// The rows of a zone as strips |b − slope·a| ≤ half of the plane of x at its start and its end.
+/// Rows that the end hardly enters bound the start alone.
+template <int W>
+struct Strips {
+  static constexpr int kCount = 2 * W;
+  double slope[kCount];
+  double half[kCount];
+  double greatestStart = 0.0;
+
+  Strips(const ZoneRows& rows, double start, double top) : greatestStart(start) {
+    double alpha[kCount];
+    double beta[kCount];
+    for (int j = 0; j < W; ++j) {
+      alpha[j] = 2.0 * rows.k1[j] - 3.0 * rows.k0[j];
+      beta[j] = rows.k0[j];
+      alpha[W + j] = -rows.k1[j];
+      beta[W + j] = 3.0 * rows.k1[j] - 2.0 * rows.k0[j];
+    }
+    const double least = kNoFactor * rows.bound;
+    double alone[kCount];
+    for (int i = 0; i < kCount; ++i) {
+      const double size = std::abs(beta[i]);
+      const bool enters = size * top > least;
+      const double inverse = 1.0 / (enters ? beta[i] : 1.0);
+      slope[i] = enters ? -alpha[i] * inverse : 0.0;
+      half[i] = enters ? rows.bound * std::abs(inverse) : kUnbound;
+      alone[i] = enters ? 0.0 : std::abs(alpha[i]);
+    }
+    const double most = greatestOf(alone);
+    if (most * greatestStart > rows.bound) {
+      greatestStart = rows.bound / most;
+    }
+  }
+
+  static double greatestOf(const double (&v)[kCount]) {
+    double lanes[kCount / 2];
+    for (int i = 0; i < kCount / 2; ++i) {
+      lanes[i] = v[i] > v[i + kCount / 2] ? v[i] : v[i + kCount / 2];
+    }
+    for (int n = kCount / 4; n > 0; n /= 2) {
+      for (int i = 0; i < n; ++i) {
+        lanes[i] = lanes[i] > lanes[i + n] ? lanes[i] : lanes[i + n];
+      }
+    }
+    return lanes[0];
+  }
+};
+
+/// Bounds of the end at a given start, with the slopes of the strips that make them.
 struct EndRange {
   double low = 0.0;
   double lowSlope = 0.0;
   double high = 0.0;
   double highSlope = 0.0;
-  double greatestStart = 0.0;  ///< of a, by rows without b
 };
 
-/// One strip |alpha·a + beta·b| ≤ bound.
-inline void addStrip(
-    double alpha, double beta, double bound, double a, double top, EndRange& range) {
-  if (std::abs(beta) * top <= kNoFactor * bound) {
-    if (std::abs(alpha) * range.greatestStart > bound) {
-      range.greatestStart = bound / std::abs(alpha);
-    }
-    return;
-  }
-  const double slope = -alpha / beta;
-  const double half = bound / std::abs(beta);
-  const double centre = slope * a;
-  if (centre + half < range.high) {
-    range.high = centre + half;
-    range.highSlope = slope;
-  }
-  if (centre - half > range.low) {
-    range.low = centre - half;
-    range.lowSlope = slope;
-  }
-}
-
 template <int W>
-inline EndRange endRange(const ZoneRows& rows, double a, double top, double greatestStart) {
-  EndRange range;
-  range.high = top;
-  range.greatestStart = greatestStart;
-  for (int j = 0; j < W; ++j) {
-    const double k0 = rows.k0[j];
-    const double k1 = rows.k1[j];
-    if (k0 == 0.0 && k1 == 0.0) {
-      continue;
-    }
-    addStrip(2.0 * k1 - 3.0 * k0, k0, rows.bound, a, top, range);
-    addStrip(-k1, 3.0 * k1 - 2.0 * k0, rows.bound, a, top, range);
+inline EndRange endRange(const Strips<W>& strips, double start, double top) {
+  // Extremes in a tree of lanes, the slopes carried along.
+  constexpr int kHalf = W;
+  double high[kHalf];
+  double highSlope[kHalf];
+  double low[kHalf];
+  double lowSlope[kHalf];
+  for (int i = 0; i < kHalf; ++i) {
+    const double a = strips.slope[i];
+    const double b = strips.slope[i + kHalf];
+    const double highA = a * start + strips.half[i];
+    const double highB = b * start + strips.half[i + kHalf];
+    const double lowA = a * start - strips.half[i];
+    const double lowB = b * start - strips.half[i + kHalf];
+    high[i] = highA < highB ? highA : highB;
+    highSlope[i] = highA < highB ? a : b;
+    low[i] = lowA > lowB ? lowA : lowB;
+    lowSlope[i] = lowA > lowB ? a : b;
   }
-  return range;
+  for (int n = kHalf / 2; n > 0; n /= 2) {
+    for (int i = 0; i < n; ++i) {
+      highSlope[i] = high[i] < high[i + n] ? highSlope[i] : highSlope[i + n];
+      high[i] = high[i] < high[i + n] ? high[i] : high[i + n];
+      lowSlope[i] = low[i] > low[i + n] ? lowSlope[i] : lowSlope[i + n];
+      low[i] = low[i] > low[i + n] ? low[i] : low[i + n];
+    }
+  }
+  return {low[0] > 0.0 ? low[0] : 0.0, low[0] > 0.0 ? lowSlope[0] : 0.0,
+          high[0] < top ? high[0] : top, high[0] < top ? highSlope[0] : 0.0};
 }
 
 /// Greatest x at the zone's start, at most `cap`, from which the end can be met below `top`. The
-/// gap high − low is concave in a and not negative at 0: Newton steps from the right end in its
-/// zero.
+/// gap high − low is concave in the start and not negative at 0: Newton steps from the right
+/// towards its zero, from a little beyond the neighbouring zone's result where the zero lies before
+/// it.
 template <int W>
-inline double greatestStart(const ZoneRows& rows, double cap, double top) {
+inline double greatestStart(const ZoneRows& rows, double cap, double top, double near) {
   if (fits<W>(rows, cap, top)) {
     return cap;
   }
-  double a = cap;
+  const Strips<W> strips(rows, cap, top);
+  const double rightEnd = strips.greatestStart;
+  bool guessed = near * kBeyond < rightEnd;
+  double a = guessed ? near * kBeyond : rightEnd;
   for (int step = 0; step < kMaxNewton; ++step) {
-    const EndRange range = endRange<W>(rows, a, top, cap);
-    if (range.greatestStart < a) {
-      a = range.greatestStart;
+    const EndRange range = endRange<W>(strips, a, top);
+    const double gap = range.high - range.low;
+    if (gap >= 0.0 && guessed) {
+      a = rightEnd;  // the guess was before the zero
+      guessed = false;
       continue;
     }
-    const double gap = range.high - range.low;
+    guessed = false;
     if (gap >= 0.0) {
       return a;
     }
@@ -126,12 +168,13 @@ inline double greatestStart(const ZoneRows& rows, double cap, double top) {
   return 0.0;
 }
 
+/// Greatest x at the zone's end, at most `top`, after a start from which there is one.
 template <int W>
 inline double greatestEnd(const ZoneRows& rows, double start, double top) {
   if (fits<W>(rows, start, top)) {
     return top;
   }
-  const EndRange range = endRange<W>(rows, start, top, start);
+  const EndRange range = endRange<W>(Strips<W>(rows, start, top), start, top);
   return std::max({range.high, std::min(range.low, top), 0.0});
 }
 
@@ -147,7 +190,7 @@ inline void reach(const SpeedPieces& p, SpeedNodes& nodes) {
     nodes.after[i - 1] = after;
     if (p.zone[i - 1] > 0.0) {
       const ZoneRows rows{slope + (i - 1) * W, slope + i * W, 2.0 * p.zone[i - 1]};
-      nodes.before[i - 1] = greatestStart<W>(rows, p.zoneCap[i - 1], after);
+      nodes.before[i - 1] = greatestStart<W>(rows, p.zoneCap[i - 1], after, nodes.before[i]);
     } else {
       nodes.before[i - 1] = after;
     }
@@ -167,27 +210,15 @@ inline void reach(const SpeedPieces& p, SpeedNodes& nodes) {
   }
 }
 
-WCAM_CLONES void reach4(const SpeedPieces& pieces, SpeedNodes& nodes) {
-  reach<4>(pieces, nodes);
-}
-
-WCAM_CLONES void reach8(const SpeedPieces& pieces, SpeedNodes& nodes) {
-  reach<8>(pieces, nodes);
-}
-
-WCAM_CLONES void reach12(const SpeedPieces& pieces, SpeedNodes& nodes) {
-  reach<12>(pieces, nodes);
-}
-
 }  // namespace
 
 void reachSpeeds(const SpeedPieces& pieces, SpeedNodes& nodes) {
   if (pieces.width == 4) {
-    reach4(pieces, nodes);
+    reach<4>(pieces, nodes);
   } else if (pieces.width == 8) {
-    reach8(pieces, nodes);
+    reach<8>(pieces, nodes);
   } else {
-    reach12(pieces, nodes);
+    reach<16>(pieces, nodes);
   }
 }
 

@@ -15,7 +15,8 @@ CellFacts factsOf(const cell::Cell& cell, const std::string& branch) {
   facts.robotJoints = cell.robotJoints();
   facts.positionerJoints = cell.positionerJoints();
   facts.partCarried = cell.partCarried();
-  if (!branch.empty()) {
+  if (!branch.empty() && cell.arm) {
+    // Only an arm has a configuration in this sense.
     facts.configuration = branch;
   }
   for (int j = 0; j < cell.jointCount(); ++j) {

@@ -86,17 +86,16 @@ bool compare(const char* what, const SpeedPath& path, const SpeedLimits& limits,
   double ownDuration = 0.0;
   double plainDuration = 0.0;
   for (std::size_t k = 0; k < reps; ++k) {
-    ownDuration =
-        own.measure([&] { return wcam::motion::speedLaw(path, limits); }).duration;
-    plainDuration =
-        plain.measure([&] { return wcam::test::plainSpeedLaw(path, limits); }).duration;
+    ownDuration = own.measure([&] { return wcam::motion::speedLaw(path, limits); }).duration;
+    plainDuration = plain.measure([&] { return wcam::test::plainSpeedLaw(path, limits); }).duration;
   }
   const double difference = std::abs(ownDuration - plainDuration) / plainDuration;
   const auto points = static_cast<double>(path.size());
-  std::printf("%-22s own %7.1f ms (%5.1f ns/point)  plain %8.1f ms  ratio %5.1f  durations %.6f s "
-              "and %.6f s, difference %.1e\n",
-              what, own.min() * 1e3, own.min() / points * 1e9, plain.min() * 1e3,
-              plain.min() / own.min(), ownDuration, plainDuration, difference);
+  std::printf(
+      "%-22s own %7.1f ms (%5.1f ns/point)  plain %8.1f ms  ratio %5.1f  durations %.6f s "
+      "and %.6f s, difference %.1e\n",
+      what, own.min() * 1e3, own.min() / points * 1e9, plain.min() * 1e3, plain.min() / own.min(),
+      ownDuration, plainDuration, difference);
   return difference <= kEqual;
 }
 

@@ -89,12 +89,10 @@ inline motion::SpeedLaw plainSpeedLaw(const motion::SpeedPath& path,
     const PlainZone zone{slope[i], slope[i + 1], 2.0 * half[i]};
     double feasible = 0.0;
     double beyond = own;
-    if (endInterval(zone, limits.joints, own, after[i], &low, &high)) {
-      feasible = own;
-    }
     for (int step = 0; step < 60 && feasible < beyond; ++step) {
       const double middle = 0.5 * (feasible + beyond);
-      (endInterval(zone, limits.joints, middle, after[i], &low, &high) ? feasible : beyond) = middle;
+      (endInterval(zone, limits.joints, middle, after[i], &low, &high) ? feasible : beyond) =
+          middle;
     }
     before[i] = feasible;
   }

@@ -73,6 +73,7 @@ TEST(SpeedLaw, restToRestAlongALine) {
   struct Row {
     double length, expected, measured;
   };
+
   for (const Row& row : {Row{5620, 6.6933, 6.92}, Row{2994, 4.0673, 5.15}, Row{6189, 7.2623, 7.53},
                          Row{5539, 6.6123, 7.46}}) {
     for (const std::size_t segments : {1U, 2U, 50U, 5000U}) {

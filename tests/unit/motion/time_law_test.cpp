@@ -267,8 +267,8 @@ TEST(TimeLaw, tableAtConstantSpeedDoublesTheSpeedAtTheCorners) {
   EXPECT_NEAR(summary.maxSpeed / summary.minSpeed, 2.0, 1e-3);
 }
 
-/// AT-61: an abrupt change of direction in a bead. The axis that leads goes through the corner; with
-/// the length as master the torch slows down there and is never too fast.
+/// AT-61: an abrupt change of direction in a bead. The axis that leads goes through the corner;
+/// with the length as master the torch slows down there and is never too fast.
 TEST(TimeLaw, abruptChangeOfDirectionDipsAndNeverPeaks) {
   const cell::Cell cell = shippedCell("yaskawa_ma1440_mt250");
   MotionParams params;

@@ -15,8 +15,8 @@
 namespace wcam::motion {
 namespace {
 
-using ::testing::HasSubstr;
 using test::shippedCell;
+using ::testing::HasSubstr;
 
 cell::Cell yaskawa() {
   return shippedCell("yaskawa_ma1440_mt250");
@@ -106,8 +106,9 @@ TEST(Trace, velocityIntegratesToThePosition) {
     worst = std::max(worst, (p - trace.position[i]).norm());
   }
   EXPECT_LE(worst, 1e-3);
-  EXPECT_LE((trace.position.back() - cell::T_part_tcp(cell, trace.joints.back()).translation()).norm(),
-            1e-12);
+  EXPECT_LE(
+      (trace.position.back() - cell::T_part_tcp(cell, trace.joints.back()).translation()).norm(),
+      1e-12);
 }
 
 TEST(Trace, readsColumnsInAnyOrder) {
@@ -128,8 +129,9 @@ TEST(Trace, badRecordingsAreNamed) {
   EXPECT_THAT(complaint("", cell), HasSubstr("is empty"));
   EXPECT_THAT(complaint(kHeader, cell), HasSubstr("fewer than 2 rows"));
   EXPECT_THAT(complaint(kHeader + row, cell), HasSubstr("fewer than 2 rows"));
-  EXPECT_THAT(complaint("time_s,S_rpm\n", cell),
-              HasSubstr("the columns L_rpm, U_rpm, R_rpm, B_rpm, T_rpm, E1_rpm, E2_rpm are missing"));
+  EXPECT_THAT(
+      complaint("time_s,S_rpm\n", cell),
+      HasSubstr("the columns L_rpm, U_rpm, R_rpm, B_rpm, T_rpm, E1_rpm, E2_rpm are missing"));
   EXPECT_THAT(complaint("time_s,S_rpn\n", cell), HasSubstr("did you mean 'S_rpm'?"));
   EXPECT_THAT(complaint("time_s,S_rpm,S_rpm\n", cell), HasSubstr("stands twice"));
   EXPECT_THAT(complaint(kHeader + row + "0.1,1,2\n", cell),
