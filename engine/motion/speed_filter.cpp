@@ -10,6 +10,8 @@ namespace wcam::motion::detail {
 
 namespace {
 
+constexpr std::size_t kCheckEvery = 4096;
+
 /// Appends a time with constant acceleration over `length` from x = a to x = b. The acceleration is
 /// given: of a very short ramp the difference of speeds would be rounding.
 void addRamp(
@@ -240,7 +242,8 @@ FilteredLaw averageLaw(const SpeedPath& path,
                        const SpeedLimits& limits,
                        const SpeedPieces& pieces,
                        const std::vector<SpeedInterval>& intervals,
-                       double window) {
+                       double window,
+                       const JobContext& context) {
   const std::size_t n = path.size();
   FilteredLaw result;
   result.law.time.assign(n, 0.0);
@@ -254,7 +257,11 @@ FilteredLaw averageLaw(const SpeedPath& path,
   }
   std::size_t point = 1;
   double target = n > 1 ? path.length[1] : 0.0;
+  std::size_t steps = 0;
   while (moment.time < duration) {
+    if (++steps % kCheckEvery == 0) {
+      context.check();
+    }
     check.add(moment);
     const double next = std::min(average.nextBreak(), duration);
     const double length = next - moment.time;

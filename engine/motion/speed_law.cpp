@@ -162,10 +162,14 @@ SpeedLaw lawOf(const SpeedPieces& pieces, const SpeedNodes& nodes) {
   return law;
 }
 
-SpeedLaw accelerationLimited(const SpeedPath& path, const SpeedLimits& limits) {
+SpeedLaw accelerationLimited(const SpeedPath& path,
+                             const SpeedLimits& limits,
+                             const JobContext& context) {
   const SpeedPieces pieces = makePieces(path, limits);
   SpeedNodes nodes{std::vector<double>(path.size()), std::vector<double>(path.size())};
+  context.check();
   detail::reachSpeeds(pieces, nodes);
+  context.check();
   return lawOf(pieces, nodes);
 }
 
@@ -240,7 +244,11 @@ void slowDown(double factor, SpeedLaw& law) {
 }
 
 /// One attempt with a given window of the average.
-detail::FilteredLaw filteredLaw(const SpeedPath& path, const SpeedLimits& limits, double window) {
+detail::FilteredLaw filteredLaw(const SpeedPath& path,
+                                const SpeedLimits& limits,
+                                double window,
+                                const JobContext& context) {
+  context.check();
   SpeedPieces pieces = makePieces(path, limits);
   const double fastest = std::sqrt(*std::max_element(pieces.cap.begin(), pieces.cap.end()));
   const SpeedPieces free = pieces;
@@ -250,17 +258,20 @@ detail::FilteredLaw filteredLaw(const SpeedPath& path, const SpeedLimits& limits
   std::vector<detail::SpeedInterval> intervals;
   std::vector<std::size_t> marks;
   detail::speedIntervals(pieces, nodes, intervals, marks);
-  return detail::averageLaw(path, limits, free, intervals, window);
+  return detail::averageLaw(path, limits, free, intervals, window, context);
 }
 
 /// The average over the jerk time; once more with a longer one where accelerations change sign
 /// faster than that; what is left is slowed down as a whole.
-SpeedLaw jerkLimited(const SpeedPath& path, const SpeedLimits& limits, double window) {
-  detail::FilteredLaw result = filteredLaw(path, limits, window);
+SpeedLaw jerkLimited(const SpeedPath& path,
+                     const SpeedLimits& limits,
+                     double window,
+                     const JobContext& context) {
+  detail::FilteredLaw result = filteredLaw(path, limits, window, context);
   constexpr double kTwice = 2.0;
   if (result.jerkShare > kMet) {
     detail::FilteredLaw longer =
-        filteredLaw(path, limits, window * std::min(result.jerkShare, kTwice));
+        filteredLaw(path, limits, window * std::min(result.jerkShare, kTwice), context);
     const double first = std::cbrt(std::max(result.jerkShare, 1.0)) * result.law.duration;
     const double second = std::cbrt(std::max(longer.jerkShare, 1.0)) * longer.law.duration;
     if (second < first) {
@@ -298,7 +309,9 @@ SpeedPath part(const SpeedPath& path, std::size_t from, std::size_t to) {
           cut(path.length, from, to + 1), cut(path.speed, from, to + 1)};
 }
 
-SpeedLaw jerkLimitedBetweenStops(const SpeedPath& path, const SpeedLimits& limits) {
+SpeedLaw jerkLimitedBetweenStops(const SpeedPath& path,
+                                 const SpeedLimits& limits,
+                                 const JobContext& context) {
   const std::vector<std::size_t> stops = stopsOf(path, limits);
   SpeedLaw law;
   law.time.assign(path.size(), 0.0);
@@ -312,8 +325,8 @@ SpeedLaw jerkLimitedBetweenStops(const SpeedPath& path, const SpeedLimits& limit
           limits.tangents.begin() + static_cast<std::ptrdiff_t>(3 * (stops[k] + 1)));
     }
     const double window = jerkTime(piece, own);
-    const SpeedLaw found =
-        window > 0.0 ? jerkLimited(piece, own, window) : accelerationLimited(piece, own);
+    const SpeedLaw found = window > 0.0 ? jerkLimited(piece, own, window, context)
+                                        : accelerationLimited(piece, own, context);
     for (std::size_t i = 1; i < piece.size(); ++i) {
       law.time[stops[k - 1] + i] = law.duration + found.time[i];
       law.speed[stops[k - 1] + i] = found.speed[i];
@@ -325,7 +338,7 @@ SpeedLaw jerkLimitedBetweenStops(const SpeedPath& path, const SpeedLimits& limit
 
 }  // namespace
 
-SpeedLaw speedLaw(const SpeedPath& path, const SpeedLimits& limits) {
+SpeedLaw speedLaw(const SpeedPath& path, const SpeedLimits& limits, const JobContext& context) {
   const std::size_t n = path.size();
   WCAM_ASSERT(path.joints >= 0 && path.joints <= SpeedPath::kMaxJoints);
   WCAM_ASSERT(path.q.size() == n * static_cast<std::size_t>(path.joints));
@@ -333,8 +346,8 @@ SpeedLaw speedLaw(const SpeedPath& path, const SpeedLimits& limits) {
   if (n < 2) {
     return {std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), 0.0};
   }
-  return jerkTime(path, limits) > 0.0 ? jerkLimitedBetweenStops(path, limits)
-                                      : accelerationLimited(path, limits);
+  return jerkTime(path, limits) > 0.0 ? jerkLimitedBetweenStops(path, limits, context)
+                                      : accelerationLimited(path, limits, context);
 }
 
 double restToRest(double distance, const JointBounds& bounds) {

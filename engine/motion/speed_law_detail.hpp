@@ -53,6 +53,7 @@ FilteredLaw averageLaw(const SpeedPath& path,
                        const SpeedLimits& limits,
                        const SpeedPieces& pieces,
                        const std::vector<SpeedInterval>& intervals,
-                       double window);
+                       double window,
+                       const JobContext& context);
 
 }  // namespace wcam::motion::detail

@@ -113,9 +113,9 @@ public:
     }
   }
 
-  /// Writes times and speeds from the time of the first point on; returns the time of the last one.
-  double finish(std::vector<Waypoint>& points, std::size_t last) {
-    const SpeedLaw law = speedLaw(path_, limits_);
+  /// Writes times and speeds from the time of the first point on.
+  void finish(std::vector<Waypoint>& points, std::size_t last, const JobContext& context) {
+    const SpeedLaw law = speedLaw(path_, limits_, context);
     const double start = points[indices_.front()].time;
     for (std::size_t k = 0; k < indices_.size(); ++k) {
       const std::size_t next = k + 1 < indices_.size() ? indices_[k + 1] : last + 1;
@@ -124,7 +124,6 @@ public:
         points[i].tcpSpeed = law.speed[k] * share_[k];
       }
     }
-    return start + law.duration;
   }
 
 private:
@@ -205,7 +204,7 @@ void applyTimeLaw(Motion& motion,
     }
     run.add(before, point, i);
     if (detail::stopsAfter(motion, i)) {
-      run.finish(points, i);
+      run.finish(points, i, context);
       run.begin(point, i);
     }
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/context.hpp"
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -57,9 +59,12 @@ struct SpeedLaw {
 /// controllers use), after caps were widened by the way of the average, and slowed down as a whole
 /// where a limit would still be exceeded. The jerk that counts is q'·s⃛ + 3·q''·ṡ·s̈.
 ///
-/// Linear in the number of points; about 60 ns per point and pass of 8 joints without jerk limits.
+/// Linear in the number of points; about 0.1 µs per point of 8 joints where the wanted speed
+/// leads, 0.3 µs where accelerations do, some µs with jerk limits.
 /// A path with one point gives time 0. Deterministic on all processors.
-SpeedLaw speedLaw(const SpeedPath& path, const SpeedLimits& limits);
+SpeedLaw speedLaw(const SpeedPath& path,
+                  const SpeedLimits& limits,
+                  const JobContext& context = JobContext());
 
 /// Time of a joint from rest to rest over `distance` with jerk-limited (S-shaped) profile.
 double restToRest(double distance, const JointBounds& bounds);
