@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/error.hpp"
 #include "wcam/motion/speed_law.hpp"
 
 #include "plan_detail.hpp"
@@ -27,6 +28,10 @@ std::vector<JointBounds> jointBounds(const Cell& cell, const TimeLawParams& para
   std::vector<JointBounds> bounds;
   for (int j = 0; j < cell.jointCount(); ++j) {
     const cell::Joint& joint = cell.joint(j);
+    if (!(joint.maxSpeed > 0.0)) {
+      throw Error(ErrorCode::JobFailed, "joint " + joint.name + " has no greatest speed",
+                  "cell " + cell.name, "add \"max_speed\" to the joint in the cell file");
+    }
     JointBounds own{joint.maxSpeed, joint.maxAcceleration, joint.maxJerk};
     if (!std::isfinite(own.acceleration) && params.accelerationTime > 0.0) {
       own.acceleration = own.speed / params.accelerationTime;

@@ -157,6 +157,23 @@ TEST(TimeLaw, repeatedPointsAndNoLength) {
   EXPECT_TRUE(empty.waypoints.empty());
 }
 
+TEST(TimeLaw, aJointWithoutSpeedIsNamed) {
+  cell::Cell cell = shippedCell("fanuc_arcmate120ic");
+  cell.robot.joints[2].maxSpeed = 0.0;
+  Motion motion;
+  motion.waypoints.resize(2);
+  for (Waypoint& point : motion.waypoints) {
+    point.joints = cell::JointVector::Zero(8);
+  }
+  try {
+    applyTimeLaw(motion, cell, {}, 0.3);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::JobFailed);
+    EXPECT_NE(std::string(error.what()).find("joint J3 has no greatest speed"), std::string::npos);
+  }
+}
+
 TEST(TimeLaw, turningOnTheSpotTakesTheTimeOfTheJoints) {
   const cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   Motion motion;
