@@ -158,12 +158,47 @@ void CommandLine::addOtherVerbs() {
       addVerb(app_, "schema", "Print the JSON schema of a component, or the list of components",
               schemaVerb);
   schema->add_option("component", options_.component, "Component id")->type_name("COMPONENT");
+  addSpeedVerb();
   CLI::App* completion =
       app_.add_subcommand("completion", "Print the completion script of a shell");
   completion->add_option("shell", options_.shell, "bash or zsh")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh"}));
   completion->callback([this] { completion_ = true; });
+}
+
+void CommandLine::addSpeedVerb() {
+  CLI::App* speed = addVerb(
+      app_, "speed", "Reconstruct the speed of the torch in the part from recorded motor speeds",
+      speedVerb);
+  speed->add_option("recording", options_.file, "CSV with time_s and <joint>_rpm of every joint")
+      ->required()
+      ->type_name("RECORDING.csv");
+  speed
+      ->add_option(
+          "--cell", options_.cell,
+          "Cell file with reduction ratios, or the name of one that comes with the program")
+      ->required()
+      ->type_name("CELL");
+  speed
+      ->add_option("--joints", options_.joints,
+                   "Joint values at the first row, degrees or mm, separated by commas")
+      ->required()
+      ->type_name("Q1,Q2,...");
+  speed
+      ->add_option("--zero", options_.zero, "Zero convention of the cell that --joints counts from")
+      ->type_name("NAME");
+  speed
+      ->add_option("--speed", options_.speed,
+                   "Wanted speed that peaks and dips are compared with (default: the median)")
+      ->type_name("SPEED");
+  speed
+      ->add_option("--tolerance", options_.tolerance,
+                   "Part of the wanted speed beyond which it is a peak or a dip (default: 0.05)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("RATIO");
+  speed->add_option("--output", options_.output, "Write the table to this file (default: stdout)")
+      ->type_name("FILE");
 }
 
 Error CommandLine::usageError(const CLI::ParseError& error) const {

@@ -32,6 +32,7 @@ int applyVerb(const Session& session);
 int checkVerb(const Session& session);
 int pluginsListVerb(const Session& session);
 int schemaVerb(const Session& session);
+int speedVerb(const Session& session);
 /// Completion script for "bash" or "zsh", from the option table itself.
 std::string completionScript(const CLI::App& app, const std::string& shell);
 

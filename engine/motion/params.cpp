@@ -3,6 +3,8 @@
 
 #include "wcam/motion/plan.hpp"
 
+#include "plan_detail.hpp"
+
 namespace wcam::motion {
 
 namespace {
@@ -153,6 +155,7 @@ Schema<MotionParams> makeSchema() {
   addTorch(schema);
   addTravel(schema);
   addChecks(schema);
+  detail::addTimeLaw(schema);
   return schema;
 }
 
