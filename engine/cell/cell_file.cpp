@@ -387,7 +387,8 @@ void readRobot(Reader& reader, const Value& file, Cell& cell) {
   if (robot == nullptr) {
     return;
   }
-  reader.knownKeys(*robot, "robot", {"name", "T_world_base", "joints", "T_last_flange"});
+  reader.knownKeys(*robot, "robot",
+                   {"name", "T_world_base", "joints", "T_last_flange", "collision"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);
   cell.robot.T_last_tip = reader.pose(*robot, "robot", "T_last_flange", false);
@@ -464,6 +465,32 @@ void checkVersion(const Value& file, const std::string& contextName) {
   }
 }
 
+/// Frames that shapes can be fixed to.
+std::vector<std::string> frameNames(const Cell& cell) {
+  std::vector<std::string> names = {"world", "base", "flange", "tcp", "table"};
+  for (int j = 0; j < cell.jointCount(); ++j) {
+    names.push_back(cell.joint(j).name);
+  }
+  return names;
+}
+
+CellShapes readCellShapes(Reader& reader,
+                          const Value& file,
+                          const Cell& cell,
+                          const std::filesystem::path& folder,
+                          const JobContext& context) {
+  ShapeReading reading;
+  reading.problem = [&](const std::string& path, const std::string& message) {
+    reader.problem(path, message);
+  };
+  reading.pose = [&](const Value& parent, const std::string& path, const std::string& key) {
+    return reader.pose(parent, path, key, false);
+  };
+  reading.frames = frameNames(cell);
+  reading.folder = folder;
+  return readShapes(file, reading, context);
+}
+
 void checkNames(Reader& reader, const Cell& cell) {
   std::set<std::string> names;
   for (int j = 0; j < cell.jointCount(); ++j) {
@@ -477,7 +504,10 @@ void checkNames(Reader& reader, const Cell& cell) {
 
 }  // namespace
 
-Cell cellFromValue(const Value& value, const std::string& contextName, const JobContext& context) {
+Cell cellFromValue(const Value& value,
+                   const std::string& contextName,
+                   const JobContext& context,
+                   const std::filesystem::path& folder) {
   if (!value.isObject()) {
     throw Error(ErrorCode::ProjectInvalid,
                 std::string("expected an object, got ") + toString(value.type()), contextName,
@@ -489,7 +519,7 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
   cell.source = value;
   reader.knownKeys(value, "",
                    {"format_version", "name", "description", "configuration", "robot", "torch",
-                    "positioner", "part_holder"});
+                    "positioner", "part_holder", "obstacles"});
   cell.name = reader.text(value, "", "name", true);
   cell.description = reader.text(value, "", "description", false);
   readConfiguration(reader, value, cell);
@@ -505,6 +535,7 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
     reader.problem(other, "does not belong to this configuration");
   }
   checkNames(reader, cell);
+  cell.shapes = readCellShapes(reader, value, cell, folder, context);
   reader.finish();
   prepareArm(cell);
   return cell;
@@ -512,7 +543,8 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
 
 Cell loadCell(const std::filesystem::path& file, const JobContext& context) {
   const std::string name = pathText(file);
-  return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context);
+  return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context,
+                       file.parent_path());
 }
 
 }  // namespace wcam::cell
