@@ -33,6 +33,14 @@ struct Options {
   std::string name;       ///< new
   std::string component;  ///< schema
   std::string shell;      ///< completion
+  // place
+  std::string placedOperation;
+  bool applyPlace = false;
+  double placeRange = 200.0;  ///< mm
+  double placeHeight = 0.0;   ///< mm
+  double placeStep = 50.0;    ///< mm
+  double placeTurn = 30.0;    ///< degrees
+  std::string map;            ///< CSV file
 };
 
 }  // namespace wcam::cli

@@ -33,73 +33,80 @@ constexpr std::size_t kDepositBalls = 64;
 /// Spheres up to this radius use the fine grid; larger ones (links) a coarse one, mm.
 constexpr double kFineRadius = 32.0;
 
-}  // namespace
-
-struct CellCollision::Impl {
-  CollisionSettings settings;
-  detail::Scene scene;
+/// The part as it grows, in its own frame: shared by all places where the part is put.
+struct DepositModel {
   std::vector<DepositRod> rods;
   detail::DepositTree tree;
   std::vector<detail::DepositTree::Ball> balls;
   detail::DepositField fine;
   detail::DepositField coarse;
-  Vec3 depositCentre = Vec3::Zero();  ///< ball around the whole deposit, part frame
-  double depositBall = 0.0;
+  Vec3 centre = Vec3::Zero();  ///< of the ball around the whole deposit
+  double ball = 0.0;
+};
 
-  Impl(const cell::Cell& cell,
-       const toolpath::Toolpath& path,
-       const toolpath::Substrate* substrate,
-       const CollisionSettings& wanted,
-       const JobContext& context)
-      : settings(wanted),
-        scene(cell, substrate, settings, context),
-        rods(depositRods(path)),
-        tree(rods) {
-    if (scene.items().empty() || rods.empty()) {
-      return;
+/// Big boxes and the like are no good as spheres: the deposit's balls are taken to them.
+bool takesBalls(const Item& item) {
+  return item.kind == BodyKind::Obstacle || item.kind == BodyKind::Positioner ||
+         (item.kind == BodyKind::Robot && item.body == 0);
+}
+
+std::shared_ptr<const DepositModel> depositModel(const toolpath::Toolpath& path,
+                                                 const detail::Scene& scene,
+                                                 const CollisionSettings& settings,
+                                                 const JobContext& context) {
+  auto model = std::make_shared<DepositModel>();
+  model->rods = depositRods(path);
+  if (scene.items().empty() || model->rods.empty()) {
+    return model;
+  }
+  model->tree = detail::DepositTree(model->rods);
+  model->balls = model->tree.balls(kDepositBalls);
+  const auto whole = model->tree.balls(1);
+  model->centre = whole[0].centre;
+  model->ball = whole[0].radius;
+  double least = std::numeric_limits<double>::infinity();
+  double greatestFine = 0.0;
+  double greatest = 0.0;
+  for (const int i : scene.all().againstPart) {
+    const Item& item = scene.items()[static_cast<std::size_t>(i)];
+    if (takesBalls(item)) {
+      continue;
     }
-    balls = tree.balls(kDepositBalls);
-    const auto whole = tree.balls(1);
-    depositCentre = whole[0].centre;
-    depositBall = whole[0].radius;
-    double least = std::numeric_limits<double>::infinity();
-    double greatestFine = 0.0;
-    double greatest = 0.0;
-    for (const int i : scene.all().againstPart) {
-      const Item& item = scene.items()[static_cast<std::size_t>(i)];
-      if (coversDeposit(item)) {
-        continue;
+    for (const CoverSphere& sphere : item.cover) {
+      least = std::min(least, sphere.radius);
+      greatest = std::max(greatest, sphere.radius);
+      if (sphere.radius <= kFineRadius) {
+        greatestFine = std::max(greatestFine, sphere.radius);
       }
-      for (const CoverSphere& sphere : item.cover) {
-        least = std::min(least, sphere.radius);
-        greatest = std::max(greatest, sphere.radius);
-        if (sphere.radius <= kFineRadius) {
-          greatestFine = std::max(greatestFine, sphere.radius);
-        }
-      }
-    }
-    const double margin = settings.safetyDistance;
-    if (greatestFine > 0.0) {
-      // From a little below the least distance that frees a sphere: nearer ones are asked exactly.
-      const double near = std::max(0.5 * least, 0.5);
-      const double far = greatestFine + margin + 0.25 * settings.reach;
-      fine = detail::DepositField(rods, near, far, settings.maxVoxels, context);
-    }
-    if (greatest > kFineRadius) {
-      coarse = detail::DepositField(rods, 0.75 * kFineRadius, greatest + margin + settings.reach,
-                                    settings.maxVoxels / 4, context);
     }
   }
-
-  /// Big boxes and the like are no good as spheres: the deposit's balls are taken to them.
-  [[nodiscard]] static bool coversDeposit(const Item& item) {
-    return item.kind == BodyKind::Obstacle || item.kind == BodyKind::Positioner ||
-           (item.kind == BodyKind::Robot && item.body == 0);
+  const double margin = settings.safetyDistance;
+  if (greatestFine > 0.0) {
+    // From a little below the least distance that frees a sphere: nearer ones are asked exactly.
+    const double near = std::max(0.5 * least, 0.5);
+    const double far = greatestFine + margin + 0.25 * settings.reach;
+    model->fine = detail::DepositField(model->rods, near, far, settings.maxVoxels, context);
   }
+  if (greatest > kFineRadius) {
+    model->coarse =
+        detail::DepositField(model->rods, 0.75 * kFineRadius, greatest + margin + settings.reach,
+                             settings.maxVoxels / 4, context);
+  }
+  return model;
+}
+
+}  // namespace
+
+struct CellCollision::Impl {
+  CollisionSettings settings;
+  detail::Scene scene;
+  std::shared_ptr<const DepositModel> deposit;
 
   /// What evaluate() works with for one state.
   struct Placed {
     BodyPoses bodies;
+    BodyPoses inverses;         ///< of the bodies that are taken as fields
+    std::vector<Vec3> centres;  ///< of the items' balls, base frame
     Pose T_part_base = Pose::Identity();
     std::uint32_t deposited = 0;
   };
@@ -109,11 +116,36 @@ struct CellCollision::Impl {
     placed.T_part_base =
         (placed.bodies[static_cast<std::size_t>(scene.partBody())] * scene.T_body_part())
             .inverse(Eigen::Isometry);
-    placed.deposited =
-        static_cast<std::uint32_t>(std::min<std::size_t>(state.deposited, detail::kNever - 1));
+    finish(state.deposited, scene.all(), placed);
   }
 
-  [[nodiscard]] const Pose& bodyOf(const Placed& placed, const Item& item) const {
+  /// The torch alone at a pose of the tool in the part.
+  void place(const ToolState& state, Placed& placed) const {
+    // The part's body puts the base into the part frame, the torch's body follows from the TCP; no
+    // other body is looked at.
+    placed.bodies[static_cast<std::size_t>(scene.partBody())] =
+        scene.T_body_part().inverse(Eigen::Isometry);
+    placed.bodies[static_cast<std::size_t>(scene.torchBody())] =
+        state.T_part_tcp * scene.T_body_tcp().inverse(Eigen::Isometry);
+    placed.T_part_base = Pose::Identity();
+    finish(state.deposited, scene.torch(), placed);
+  }
+
+  void finish(std::size_t deposited, const detail::Selection& of, Placed& placed) const {
+    placed.deposited =
+        static_cast<std::uint32_t>(std::min<std::size_t>(deposited, detail::kNever - 1));
+    for (const int body : of.bodies) {
+      const auto k = static_cast<std::size_t>(body);
+      placed.inverses[k] = placed.bodies[k].inverse(Eigen::Isometry);
+    }
+    placed.centres.resize(scene.items().size());
+    for (const int i : of.items) {
+      const Item& item = scene.items()[static_cast<std::size_t>(i)];
+      placed.centres[static_cast<std::size_t>(i)] = bodyOf(placed, item) * item.centre;
+    }
+  }
+
+  [[nodiscard]] static const Pose& bodyOf(const Placed& placed, const Item& item) {
     return placed.bodies[static_cast<std::size_t>(item.body)];
   }
 
@@ -126,17 +158,19 @@ struct CellCollision::Impl {
   [[nodiscard]] float boundOf(const Placed& placed, const Pair& pair, float limit) const {
     const Item& spheres = scene.items()[static_cast<std::size_t>(pair.spheres)];
     const Item& field = scene.items()[static_cast<std::size_t>(pair.field)];
-    const Pose& T_base_a = bodyOf(placed, spheres);
-    const Pose& T_base_b = bodyOf(placed, field);
-    const Vec3 centre = T_base_a * spheres.centre;
-    if ((centre - T_base_b * field.centre).norm() - spheres.ball - field.ball >= limit) {
+    const Vec3& centre = placed.centres[static_cast<std::size_t>(pair.spheres)];
+    const double apart = limit + spheres.ball + field.ball;
+    if (apart <= 0.0 ||
+        (centre - placed.centres[static_cast<std::size_t>(pair.field)]).squaredNorm() >=
+            apart * apart) {
       return limit;
     }
-    const Pose T_field_base = field.T_shape_body * T_base_b.inverse(Eigen::Isometry);
-    if (fieldDistance(field, T_field_base * centre) - spheres.ball >= limit) {
+    const Pose& T_fieldBody_base = placed.inverses[static_cast<std::size_t>(field.body)];
+    if (fieldDistance(field, field.T_shape_body * (T_fieldBody_base * centre)) - spheres.ball >=
+        limit) {
       return limit;
     }
-    const Pose T_field_a = T_field_base * T_base_a;
+    const Pose T_field_a = field.T_shape_body * (T_fieldBody_base * bodyOf(placed, spheres));
     float least = limit;
     for (const CoverSphere& sphere : spheres.cover) {
       least = std::min(least, fieldDistance(field, T_field_a * sphere.centre) -
@@ -147,17 +181,20 @@ struct CellCollision::Impl {
 
   /// The same for an item and the deposit.
   [[nodiscard]] float partBound(const Placed& placed, const Item& item, float limit) const {
-    if (rods.empty()) {
+    if (deposit->rods.empty()) {
+      return limit;
+    }
+    const auto i = static_cast<std::size_t>(&item - scene.items().data());
+    const double apart = limit + item.ball + deposit->ball;
+    if (apart <= 0.0 ||
+        (placed.T_part_base * placed.centres[i] - deposit->centre).squaredNorm() >= apart * apart) {
       return limit;
     }
     const Pose T_part_body = placed.T_part_base * bodyOf(placed, item);
-    if ((T_part_body * item.centre - depositCentre).norm() - item.ball - depositBall >= limit) {
-      return limit;
-    }
     float least = limit;
-    if (coversDeposit(item)) {
+    if (takesBalls(item)) {
       const Pose T_shape_part = item.T_shape_body * T_part_body.inverse(Eigen::Isometry);
-      for (const auto& ball : balls) {
+      for (const auto& ball : deposit->balls) {
         if (ball.order <= placed.deposited) {
           least = std::min(least, fieldDistance(item, T_shape_part * ball.centre) -
                                       static_cast<float>(ball.radius));
@@ -166,25 +203,13 @@ struct CellCollision::Impl {
       return least;
     }
     for (const CoverSphere& sphere : item.cover) {
-      const detail::DepositField& field = sphere.radius <= kFineRadius ? fine : coarse;
+      const detail::DepositField& field =
+          sphere.radius <= kFineRadius ? deposit->fine : deposit->coarse;
       const auto radius = static_cast<float>(sphere.radius);
       const float distance = field.distance(T_part_body * sphere.centre, placed.deposited);
       least = std::min(least, distance - radius);
     }
     return least;
-  }
-
-  /// The torch alone at a pose of the tool in the part.
-  void place(const ToolState& state, Placed& placed) const {
-    // The part's body puts the base into the part frame, the torch's body follows from the TCP; no
-    // other body is looked at.
-    placed.bodies[static_cast<std::size_t>(scene.partBody())] =
-        scene.T_body_part().inverse(Eigen::Isometry);
-    placed.bodies[static_cast<std::size_t>(scene.torchBody())] =
-        state.T_part_tcp * scene.T_body_tcp().inverse(Eigen::Isometry);
-    placed.T_part_base = Pose::Identity();
-    placed.deposited =
-        static_cast<std::uint32_t>(std::min<std::size_t>(state.deposited, detail::kNever - 1));
   }
 
   /// Bound over everything of a selection by the grids alone.
@@ -237,9 +262,10 @@ struct CellCollision::Impl {
       return meshToPart(placed, item, T_part_shape, limit);
     }
     if (item.kind != BodyKind::Torch) {
-      return tree.nearest(item.solid, T_part_shape, placed.deposited, limit);
+      return deposit->tree.nearest(item.solid, T_part_shape, placed.deposited, limit);
     }
-    return tree.nearest(item.solid, T_part_shape, placed.deposited, limit, contactZone(placed));
+    return deposit->tree.nearest(item.solid, T_part_shape, placed.deposited, limit,
+                                 contactZone(placed));
   }
 
   [[nodiscard]] std::function<bool(const DepositRod&, double)> contactZone(
@@ -262,32 +288,32 @@ struct CellCollision::Impl {
     best.distance = limit;
     const Pose T_shape_part = T_part_shape.inverse(Eigen::Isometry);
     std::vector<std::pair<double, std::uint32_t>> likely;
-    tree.visit(T_part_shape * (item.T_shape_body * item.centre), item.ball + limit,
-               placed.deposited, [&](std::uint32_t k) {
-                 const DepositRod& rod = rods[k];
-                 const Vec3 middle = T_shape_part * Vec3(0.5 * (rod.a + rod.b));
-                 const double bound =
-                     item.field->distance(middle) - rod.radius - 0.5 * (rod.b - rod.a).norm();
-                 if (item.field->inside(middle)) {
-                   likely.emplace_back(bound - item.ball, k);
-                 } else if (bound < limit) {
-                   likely.emplace_back(bound, k);
-                 }
-               });
+    deposit->tree.visit(T_part_shape * (item.T_shape_body * item.centre), item.ball + limit,
+                        placed.deposited, [&](std::uint32_t k) {
+                          const DepositRod& rod = deposit->rods[k];
+                          const Vec3 middle = T_shape_part * Vec3(0.5 * (rod.a + rod.b));
+                          const double bound = item.field->distance(middle) - rod.radius -
+                                               0.5 * (rod.b - rod.a).norm();
+                          if (item.field->inside(middle)) {
+                            likely.emplace_back(bound - item.ball, k);
+                          } else if (bound < limit) {
+                            likely.emplace_back(bound, k);
+                          }
+                        });
     std::sort(likely.begin(), likely.end());
     const auto zone = contactZone(placed);
     for (const auto& [bound, k] : likely) {
       if (bound >= best.distance) {
         break;
       }
-      const detail::Rod rod{rods[k].a, rods[k].b, rods[k].radius};
+      const detail::Rod rod{deposit->rods[k].a, deposit->rods[k].b, deposit->rods[k].radius};
       detail::ExactDistance found = detail::exactDistance(
           item.exact, T_part_shape, detail::ExactShape(rod), detail::poseOf(rod));
       const Vec3 middle = 0.5 * (rod.a + rod.b);
       if (item.field->inside(T_shape_part * middle)) {
         found = {-rod.radius, middle};
       }
-      const bool waived = item.kind == BodyKind::Torch && zone(rods[k], found.value);
+      const bool waived = item.kind == BodyKind::Torch && zone(deposit->rods[k], found.value);
       if (found.value < best.distance && !waived) {
         best = {found.value, found.point, k};
       }
@@ -372,7 +398,17 @@ CellCollision::CellCollision(const cell::Cell& cell,
                              const toolpath::Substrate* substrate,
                              const CollisionSettings& settings,
                              const JobContext& context)
-    : impl_(std::make_unique<Impl>(cell, path, substrate, settings, context)) {}
+    : impl_(std::make_unique<Impl>(
+          Impl{settings, detail::Scene(cell, substrate, settings, context), nullptr})) {
+  impl_->deposit = depositModel(path, impl_->scene, settings, context);
+}
+
+CellCollision::CellCollision(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+std::unique_ptr<CellCollision> CellCollision::moved(const geometry::Pose& T_table_part) const {
+  return std::unique_ptr<CellCollision>(new CellCollision(std::make_unique<Impl>(
+      Impl{impl_->settings, impl_->scene.moved(T_table_part), impl_->deposit})));
+}
 
 CellCollision::~CellCollision() = default;
 
@@ -385,7 +421,7 @@ const CollisionSettings& CellCollision::settings() const {
 }
 
 const std::vector<DepositRod>& CellCollision::deposit() const {
-  return impl_->rods;
+  return impl_->deposit->rods;
 }
 
 void CellCollision::evaluate(std::span<const CellState> states, std::span<float> clearance) const {

@@ -41,7 +41,18 @@ public:
   [[nodiscard]] float distance(const Vec3& p, std::uint32_t deposited) const;
 
 private:
+  class Filler;
+
   void fill(const std::vector<DepositRod>& runs, const JobContext& context);
+
+  [[nodiscard]] std::size_t indexOf(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(size_.y()) +
+            static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(size_.x()) +
+           static_cast<std::size_t>(x);
+  }
+
+  [[nodiscard]] float levelAt(int k) const { return static_cast<float>(near_ + k * step_); }
 
   Vec3 origin_ = Vec3::Zero();
   double edge_ = 1.0;

@@ -6,6 +6,7 @@
 #include "deposit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wcam::collision::detail {
@@ -16,7 +17,7 @@ namespace {
 constexpr double kFinest = 1.0;
 constexpr int kBlock = 8;  ///< voxels along a block's edge
 /// What floats lose over a part of metres, mm.
-constexpr double kRounding = 1e-3;
+constexpr double kRounding = 1e-2;
 
 double pointToSegment(const Vec3& p, const Vec3& a, const Vec3& ab, double inverseLength2) {
   const double s = std::clamp((p - a).dot(ab) * inverseLength2, 0.0, 1.0);
@@ -82,89 +83,156 @@ DepositField::DepositField(const std::vector<DepositRod>& rods,
   fill(joinedRods(rods, 2.0 * edge_), context);
 }
 
+/// Fills one slab of blocks: every run in order, block by block.
+class DepositField::Filler {
+public:
+  Filler(DepositField& field, int slab)
+      : field_(field),
+        z0_(slab * kBlock),
+        z1_(std::min(z0_ + kBlock, field.size_.z())),
+        rowLength_((field.size_.x() + kBlock - 1) / kBlock * kBlock),
+        blocks_((field.size_.x() + kBlock - 1) / kBlock, (field.size_.y() + kBlock - 1) / kBlock),
+        next_(static_cast<std::size_t>(rowLength_) * static_cast<std::size_t>(field.size_.y()) *
+                  static_cast<std::size_t>(z1_ - z0_),
+              static_cast<float>(field.far_)),
+        worst_(static_cast<std::size_t>(blocks_.prod()), static_cast<float>(field.far_)) {}
+
+  void add(const DepositRod& run) {
+    const double reach = run.radius + field_.far_;
+    const Vec3 low = run.a.cwiseMin(run.b) - field_.origin_ - Vec3::Constant(reach);
+    const Vec3 high = run.a.cwiseMax(run.b) - field_.origin_ + Vec3::Constant(reach);
+    if (high.z() < z0_ * field_.edge_ || low.z() > z1_ * field_.edge_) {
+      return;
+    }
+    const auto blockAt = [&](double x, int axis) {
+      return std::clamp(static_cast<int>(x * field_.inverseEdge_) / kBlock, 0, blocks_(axis) - 1);
+    };
+    a_ = (run.a - field_.origin_).cast<float>();
+    ab_ = (run.b - run.a).cast<float>();
+    const float length2 = ab_.squaredNorm();
+    inverse_ = length2 > 0.0F ? 1.0F / length2 : 0.0F;
+    radius_ = static_cast<float>(run.radius + kRounding);
+    order_ = run.order;
+    for (int by = blockAt(low.y(), 1); by <= blockAt(high.y(), 1); ++by) {
+      for (int bx = blockAt(low.x(), 0); bx <= blockAt(high.x(), 0); ++bx) {
+        addToBlock(bx, by);
+      }
+    }
+  }
+
+private:
+  static constexpr float kAllReached = -1e9F;
+
+  /// Squared distance of a point from the run's axis.
+  [[nodiscard]] float squaredDistance(float x, float y, float z) const {
+    const float px = x - a_.x();
+    const float py = y - a_.y();
+    const float pz = z - a_.z();
+    const float along = (px * ab_.x() + py * ab_.y() + pz * ab_.z()) * inverse_;
+    const float s = std::min(std::max(along, 0.0F), 1.0F);
+    const float dx = px - s * ab_.x();
+    const float dy = py - s * ab_.y();
+    const float dz = pz - s * ab_.z();
+    return dx * dx + dy * dy + dz * dz;
+  }
+
+  void addToBlock(int bx, int by) {
+    float& worst = worst_[static_cast<std::size_t>(by * blocks_.x() + bx)];
+    const auto edge = static_cast<float>(field_.edge_);
+    const float half = 0.5F * kBlock * edge;
+    const float out = worst + radius_ + std::sqrt(3.0F) * half;
+    if (out <= 0.0F || squaredDistance(static_cast<float>(bx * kBlock) * edge + half,
+                                       static_cast<float>(by * kBlock) * edge + half,
+                                       static_cast<float>(z0_) * edge + half) >= out * out) {
+      return;
+    }
+    worst = kAllReached;
+    const int y1 = std::min((by + 1) * kBlock, field_.size_.y());
+    for (int z = z0_; z < z1_; ++z) {
+      for (int y = by * kBlock; y < y1; ++y) {
+        worst = std::max(worst, addToRow(bx * kBlock, y, z));
+      }
+    }
+  }
+
+  /// A row of a block; its greatest distance that is still to be reached.
+  float addToRow(int x0, int y, int z) {
+    const auto edge = static_cast<float>(field_.edge_);
+    const float py = (static_cast<float>(y) + 0.5F) * edge;
+    const float pz = (static_cast<float>(z) + 0.5F) * edge;
+    float* next =
+        &next_[(static_cast<std::size_t>(z - z0_) * static_cast<std::size_t>(field_.size_.y()) +
+                static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(rowLength_) +
+               static_cast<std::size_t>(x0)];
+    std::array<float, kBlock> missing{};
+    for (int k = 0; k < kBlock; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const float px = (static_cast<float>(x0 + k) + 0.5F) * edge;
+      const float limit = std::max(next[i] + radius_, 0.0F);
+      missing[i] = squaredDistance(px, py, pz) - limit * limit;
+    }
+    float greatest = kAllReached;
+    for (int k = 0; k < kBlock; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (missing[i] < 0.0F) {
+        next[i] = reach(x0 + k, y, z);
+      }
+      greatest = std::max(greatest, next[i]);
+    }
+    return greatest;
+  }
+
+  /// Marks all levels that the run reaches in a voxel; the next one that it does not.
+  float reach(int x, int y, int z) {
+    if (x >= field_.size_.x()) {
+      return kAllReached;
+    }
+    const auto edge = static_cast<float>(field_.edge_);
+    const float d2 = squaredDistance((static_cast<float>(x) + 0.5F) * edge,
+                                     (static_cast<float>(y) + 0.5F) * edge,
+                                     (static_cast<float>(z) + 0.5F) * edge);
+    std::uint32_t* levels = &field_.first_[field_.indexOf(x, y, z) * kLevels];
+    for (int k = kLevels - 1; k >= 0; --k) {
+      if (levels[k] != kNever) {
+        continue;
+      }
+      const float level = field_.levelAt(k);
+      const float limit = level + radius_;
+      if (d2 >= limit * limit) {
+        return level;
+      }
+      levels[k] = order_;
+    }
+    return kAllReached;
+  }
+
+  DepositField& field_;
+  int z0_;
+  int z1_;
+  int rowLength_;
+  Eigen::Vector2i blocks_;
+  std::vector<float> next_;   ///< of each voxel: the greatest level that is not reached yet
+  std::vector<float> worst_;  ///< of each block: the greatest of next_
+  Eigen::Vector3f a_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f ab_ = Eigen::Vector3f::Zero();
+  float inverse_ = 0.0F;
+  float radius_ = 0.0F;
+  std::uint32_t order_ = 0;
+};
+
 void DepositField::fill(const std::vector<DepositRod>& runs, const JobContext& context) {
-  const auto voxels = static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
-                      static_cast<std::size_t>(size_.z());
-  first_.assign(voxels * kLevels, kNever);
-  const Eigen::Vector3i blocks = (size_.array() + kBlock - 1) / kBlock;
-  const double blockHalf = 0.5 * (kBlock - 1) * edge_;
-  const double blockRadius = std::sqrt(3.0) * blockHalf;
-  const auto slabs = static_cast<std::size_t>(blocks.z());
+  first_.assign(indexOf(0, 0, size_.z()) * kLevels, kNever);
   // Every slab sees all runs in order: nothing depends on the number of threads.
   parallelFor(
-      slabs, 1,
+      static_cast<std::size_t>((size_.z() + kBlock - 1) / kBlock), 1,
       [&](std::size_t slab) {
-        const int z0 = static_cast<int>(slab) * kBlock;
-        const int z1 = std::min(z0 + kBlock, size_.z());
-        const auto plane =
-            static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y());
-        std::vector<float> least(plane * static_cast<std::size_t>(z1 - z0),
-                                 static_cast<float>(far_));
-        std::vector<float> greatest(
-            static_cast<std::size_t>(blocks.x()) * static_cast<std::size_t>(blocks.y()),
-            static_cast<float>(far_));
-        const double low = origin_.z() + z0 * edge_;
-        const double high = origin_.z() + z1 * edge_;
+        Filler filler(*this, static_cast<int>(slab));
         for (std::size_t r = 0; r < runs.size(); ++r) {
           if (r % 256 == 0) {
             context.check();
           }
-          const DepositRod& run = runs[r];
-          const double reach = run.radius + far_;
-          if (std::max(run.a.z(), run.b.z()) + reach < low ||
-              std::min(run.a.z(), run.b.z()) - reach > high) {
-            continue;
-          }
-          const Vec3 ab = run.b - run.a;
-          const double inverse = ab.squaredNorm() > 0.0 ? 1.0 / ab.squaredNorm() : 0.0;
-          const auto blockAt = [&](double x, int axis) {
-            return std::clamp(static_cast<int>((x - origin_(axis)) * inverseEdge_) / kBlock, 0,
-                              blocks(axis) - 1);
-          };
-          const int bx0 = blockAt(std::min(run.a.x(), run.b.x()) - reach, 0);
-          const int bx1 = blockAt(std::max(run.a.x(), run.b.x()) + reach, 0);
-          const int by0 = blockAt(std::min(run.a.y(), run.b.y()) - reach, 1);
-          const int by1 = blockAt(std::max(run.a.y(), run.b.y()) + reach, 1);
-          for (int by = by0; by <= by1; ++by) {
-            for (int bx = bx0; bx <= bx1; ++bx) {
-              float& worst = greatest[static_cast<std::size_t>(by * blocks.x() + bx)];
-              const Vec3 middle = origin_ + edge_ * Vec3(bx * kBlock, by * kBlock, z0) +
-                                  Vec3::Constant(0.5 * edge_ + blockHalf);
-              if (pointToSegment(middle, run.a, ab, inverse) - run.radius - blockRadius >= worst) {
-                continue;
-              }
-              worst = 0.0F;
-              const int x1 = std::min((bx + 1) * kBlock, size_.x());
-              const int y1 = std::min((by + 1) * kBlock, size_.y());
-              for (int z = z0; z < z1; ++z) {
-                for (int y = by * kBlock; y < y1; ++y) {
-                  for (int x = bx * kBlock; x < x1; ++x) {
-                    const auto inPlane = static_cast<std::size_t>(y * size_.x() + x);
-                    float& old = least[static_cast<std::size_t>(z - z0) * plane + inPlane];
-                    const Vec3 centre = origin_ + edge_ * Vec3(x + 0.5, y + 0.5, z + 0.5);
-                    const auto now = static_cast<float>(pointToSegment(centre, run.a, ab, inverse) -
-                                                        run.radius - kRounding);
-                    if (now < old) {
-                      // Levels that are crossed: level k stands for near + k·step.
-                      const std::size_t voxel = static_cast<std::size_t>(z) * plane + inPlane;
-                      std::uint32_t* levels = &first_[voxel * kLevels];
-                      for (int k = kLevels - 1; k >= 0; --k) {
-                        const double level = near_ + k * step_;
-                        if (level < now) {
-                          break;
-                        }
-                        if (levels[k] == kNever) {
-                          levels[k] = run.order;
-                        }
-                      }
-                      old = now;
-                    }
-                    worst = std::max(worst, old);
-                  }
-                }
-              }
-            }
-          }
+          filler.add(runs[r]);
         }
       },
       context);
@@ -172,18 +240,13 @@ void DepositField::fill(const std::vector<DepositRod>& runs, const JobContext& c
 
 float DepositField::distance(const Vec3& p, std::uint32_t deposited) const {
   const Vec3 local = (p - origin_) * inverseEdge_;
-  if (first_.empty() || !(local.x() >= 0.0 && local.y() >= 0.0 && local.z() >= 0.0)) {
+  if (first_.empty() ||
+      !(local.x() >= 0.0 && local.y() >= 0.0 && local.z() >= 0.0 && local.x() < size_.x() &&
+        local.y() < size_.y() && local.z() < size_.z())) {
     return static_cast<float>(far_);
   }
   const Eigen::Vector3i at = local.cast<int>();
-  if (at.x() >= size_.x() || at.y() >= size_.y() || at.z() >= size_.z()) {
-    return static_cast<float>(far_);
-  }
-  const auto voxel = (static_cast<std::size_t>(at.z()) * static_cast<std::size_t>(size_.y()) +
-                      static_cast<std::size_t>(at.y())) *
-                         static_cast<std::size_t>(size_.x()) +
-                     static_cast<std::size_t>(at.x());
-  const std::uint32_t* levels = &first_[voxel * kLevels];
+  const std::uint32_t* levels = &first_[indexOf(at.x(), at.y(), at.z()) * kLevels];
   // The orders fall with the distance: count the levels that are not reached yet.
   int farther = 0;
   for (int k = 0; k < kLevels; ++k) {

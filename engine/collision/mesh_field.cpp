@@ -190,13 +190,11 @@ void MeshField::closeInside() {
 }
 
 bool MeshField::voxelOf(const Vec3& local, std::size_t* index) const {
-  if (!(local.x() >= 0.0 && local.y() >= 0.0 && local.z() >= 0.0)) {
+  if (!(local.x() >= 0.0 && local.y() >= 0.0 && local.z() >= 0.0 && local.x() < size_.x() &&
+        local.y() < size_.y() && local.z() < size_.z())) {
     return false;
   }
   const Eigen::Vector3i at = local.cast<int>();
-  if (at.x() >= size_.x() || at.y() >= size_.y() || at.z() >= size_.z()) {
-    return false;
-  }
   *index = indexOf(at.x(), at.y(), at.z());
   return true;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 namespace wcam::collision::detail {
 
@@ -70,6 +71,25 @@ Scene::Scene(const cell::Cell& cell,
     addSubstrate(*substrate, making);
   }
   findPairs();
+}
+
+Scene Scene::moved(const Pose& T_table_part) const {
+  Scene result = *this;
+  result.cell_.T_table_part = T_table_part;
+  result.T_body_part_ = frameOf("table").T_body_frame * T_table_part;
+  const Pose move = result.T_body_part_ * T_body_part_.inverse(Eigen::Isometry);
+  for (Item& item : result.items_) {
+    if (item.kind != BodyKind::Substrate) {
+      continue;
+    }
+    item.T_body_shape = move * item.T_body_shape;
+    item.T_shape_body = item.T_body_shape.inverse(Eigen::Isometry);
+    item.centre = move * item.centre;
+    for (CoverSphere& sphere : item.cover) {
+      sphere.centre = move * sphere.centre;
+    }
+  }
+  return result;
 }
 
 Scene::Frame Scene::frameOf(const std::string& name) const {
@@ -222,6 +242,27 @@ void Scene::findPairs() {
                  return (atTcp(pair.spheres) && isSubstrate(pair.field)) ||
                         (atTcp(pair.field) && isSubstrate(pair.spheres));
                });
+  complete(all_);
+  complete(torch_);
+}
+
+/// Substrate first, since it is what the torch is nearest to; then the lists that follow from the
+/// pairs.
+void Scene::complete(Selection& selection) const {
+  std::stable_partition(selection.pairs.begin(), selection.pairs.end(), [this](const Pair& pair) {
+    const auto substrate = [this](int i) {
+      return items_[static_cast<std::size_t>(i)].kind == BodyKind::Substrate;
+    };
+    return substrate(pair.spheres) || substrate(pair.field);
+  });
+  std::set<int> items(selection.againstPart.begin(), selection.againstPart.end());
+  std::set<int> bodies;
+  for (const Pair& pair : selection.pairs) {
+    items.insert({pair.spheres, pair.field});
+    bodies.insert(items_[static_cast<std::size_t>(pair.field)].body);
+  }
+  selection.items.assign(items.begin(), items.end());
+  selection.bodies.assign(bodies.begin(), bodies.end());
 }
 
 void Scene::place(const double* q, BodyPoses& poses) const {

@@ -46,7 +46,9 @@ struct Pair {
 /// What is compared.
 struct Selection {
   std::vector<int> againstPart;  ///< items with the deposit, the torch's first
-  std::vector<Pair> pairs;
+  std::vector<Pair> pairs;       ///< the substrate's first
+  std::vector<int> items;        ///< all that stand in one of these
+  std::vector<int> bodies;       ///< those of the pairs' fields
 };
 
 /// Shapes of a cell with the substrate, who is compared with whom, and where they are.
@@ -56,6 +58,9 @@ public:
         const toolpath::Substrate* substrate,
         const CollisionSettings& settings,
         const JobContext& context);
+
+  /// With the part and the substrate elsewhere on the table.
+  [[nodiscard]] Scene moved(const Pose& T_table_part) const;
 
   [[nodiscard]] const std::vector<Item>& items() const noexcept { return items_; }
 
@@ -100,6 +105,7 @@ private:
   [[nodiscard]] bool isLink(const Item& item) const;
   [[nodiscard]] bool comparable(const Item& a, const Item& b) const;
   void findPairs();
+  void complete(Selection& selection) const;
 
   cell::Cell cell_;
   std::vector<Item> items_;

@@ -3,6 +3,8 @@
 
 #include "wcam/motion/plan.hpp"
 
+#include "collision_params.hpp"
+
 namespace wcam::motion {
 
 namespace {
@@ -153,6 +155,7 @@ Schema<MotionParams> makeSchema() {
   addTorch(schema);
   addTravel(schema);
   addChecks(schema);
+  detail::addCollision(schema);
   return schema;
 }
 

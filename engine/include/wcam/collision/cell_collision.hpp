@@ -78,6 +78,10 @@ public:
                 const JobContext& context = JobContext());
   ~CellCollision() override;
 
+  /// The same with part and substrate elsewhere on the table. Cheap: what the part's own frame
+  /// holds is shared.
+  [[nodiscard]] std::unique_ptr<CellCollision> moved(const geometry::Pose& T_table_part) const;
+
   /// False when the cell has no shapes: nothing can collide.
   [[nodiscard]] bool anything() const;
   [[nodiscard]] const CollisionSettings& settings() const;
@@ -102,6 +106,7 @@ public:
 
 private:
   struct Impl;
+  explicit CellCollision(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

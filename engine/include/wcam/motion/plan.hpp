@@ -5,6 +5,7 @@
 #include "wcam/base/context.hpp"
 #include "wcam/base/param.hpp"
 #include "wcam/cell/cell.hpp"
+#include "wcam/collision/clearance.hpp"
 #include "wcam/motion/motion.hpp"
 #include "wcam/toolpath/toolpath.hpp"
 
@@ -39,6 +40,13 @@ struct MotionParams {
   Angle maxJointStep{degToRad(30.0)};
   Angle verticalTolerance{degToRad(1.0)};
 
+  bool checkCollisions = true;
+  Length safetyDistance{5.0};
+  bool exitRotations = false;
+  Angle exitLateral{degToRad(30.0)};
+  Angle exitLead{degToRad(10.0)};
+  double exitRate = 2.0;  ///< degrees per mm
+
   static const Schema<MotionParams>& schema();
 };
 
@@ -61,12 +69,14 @@ struct MotionParams {
 ///
 /// A toolpath without points gives an empty motion. Independent of the number of threads. About
 /// 3 µs per point.
+/// @param clearance of the operation, may be null
 /// @throws Error(JobFailed) when the cell's robot has no closed-form inverse kinematics
 PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& params,
                          const std::string& operationId,
-                         const JobContext& context);
+                         const JobContext& context,
+                         const collision::Clearance* clearance = nullptr);
 
 /// Fills time and tcpSpeed from speeds, joints and the joints' greatest speeds.
 void applyTimeLaw(Motion& motion, const cell::Cell& cell, double jointSpeedRatio);
