@@ -106,6 +106,7 @@ struct CellCollision::Impl {
   struct Placed {
     BodyPoses bodies;
     BodyPoses inverses;         ///< of the bodies that are taken as fields
+    BodyPoses inPart;           ///< of the bodies that are compared with the deposit
     std::vector<Vec3> centres;  ///< of the items' balls, base frame
     Pose T_part_base = Pose::Identity();
     std::uint32_t deposited = 0;
@@ -123,10 +124,9 @@ struct CellCollision::Impl {
   void place(const ToolState& state, Placed& placed) const {
     // The part's body puts the base into the part frame, the torch's body follows from the TCP; no
     // other body is looked at.
-    placed.bodies[static_cast<std::size_t>(scene.partBody())] =
-        scene.T_body_part().inverse(Eigen::Isometry);
+    placed.bodies[static_cast<std::size_t>(scene.partBody())] = scene.T_part_body();
     placed.bodies[static_cast<std::size_t>(scene.torchBody())] =
-        state.T_part_tcp * scene.T_body_tcp().inverse(Eigen::Isometry);
+        state.T_part_tcp * scene.T_tcp_body();
     placed.T_part_base = Pose::Identity();
     finish(state.deposited, scene.torch(), placed);
   }
@@ -134,6 +134,10 @@ struct CellCollision::Impl {
   void finish(std::size_t deposited, const detail::Selection& of, Placed& placed) const {
     placed.deposited =
         static_cast<std::uint32_t>(std::min<std::size_t>(deposited, detail::kNever - 1));
+    for (const int body : of.partBodies) {
+      const auto k = static_cast<std::size_t>(body);
+      placed.inPart[k] = placed.T_part_base * placed.bodies[k];
+    }
     for (const int body : of.bodies) {
       const auto k = static_cast<std::size_t>(body);
       placed.inverses[k] = placed.bodies[k].inverse(Eigen::Isometry);
@@ -179,18 +183,20 @@ struct CellCollision::Impl {
     return least;
   }
 
-  /// The same for an item and the deposit.
-  [[nodiscard]] float partBound(const Placed& placed, const Item& item, float limit) const {
+  /// The same for an item and the deposit; ends as soon as it falls below `stop`.
+  [[nodiscard]] float partBound(const Placed& placed,
+                                const Item& item,
+                                float limit,
+                                float stop = -std::numeric_limits<float>::infinity()) const {
     if (deposit->rods.empty()) {
       return limit;
     }
-    const auto i = static_cast<std::size_t>(&item - scene.items().data());
+    const Pose& T_part_body = placed.inPart[static_cast<std::size_t>(item.body)];
     const double apart = limit + item.ball + deposit->ball;
     if (apart <= 0.0 ||
-        (placed.T_part_base * placed.centres[i] - deposit->centre).squaredNorm() >= apart * apart) {
+        (T_part_body * item.centre - deposit->centre).squaredNorm() >= apart * apart) {
       return limit;
     }
-    const Pose T_part_body = placed.T_part_base * bodyOf(placed, item);
     float least = limit;
     if (takesBalls(item)) {
       const Pose T_shape_part = item.T_shape_body * T_part_body.inverse(Eigen::Isometry);
@@ -202,25 +208,54 @@ struct CellCollision::Impl {
       }
       return least;
     }
+    // Floats are good for what the grids allow for.
+    const Eigen::Matrix3f turn = T_part_body.linear().cast<float>();
+    const Eigen::Vector3f move = T_part_body.translation().cast<float>();
+    if (item.ball > kFineRadius && !deposit->coarse.empty() &&
+        deposit->coarse.distance(turn * item.centre.cast<float>() + move, placed.deposited) -
+                static_cast<float>(item.ball) >=
+            least) {
+      return least;
+    }
+    // Spheres follow one another along the shape: what the distance at the last one that was looked
+    // up leaves to the next one often does without a look-up, and without changing the least.
+    Eigen::Vector3f known = Eigen::Vector3f::Zero();
+    float knownDistance = -std::numeric_limits<float>::infinity();
     for (const CoverSphere& sphere : item.cover) {
+      const auto radius = static_cast<float>(sphere.radius);
+      const Eigen::Vector3f centre = sphere.centre.cast<float>();
+      const float left = knownDistance - radius - least;
+      if (left >= 0.0F && (centre - known).squaredNorm() <= left * left) {
+        continue;
+      }
       const detail::DepositField& field =
           sphere.radius <= kFineRadius ? deposit->fine : deposit->coarse;
-      const auto radius = static_cast<float>(sphere.radius);
-      const float distance = field.distance(T_part_body * sphere.centre, placed.deposited);
-      least = std::min(least, distance - radius);
+      known = centre;
+      knownDistance = field.distance(turn * centre + move, placed.deposited);
+      least = std::min(least, knownDistance - radius);
+      if (least < stop) {
+        return least;
+      }
     }
     return least;
   }
 
-  /// Bound over everything of a selection by the grids alone.
+  /// Bound over everything of a selection by the grids alone; negative as soon as anything is not
+  /// free.
   [[nodiscard]] float coarseClearance(const Placed& placed, const detail::Selection& of) const {
     const auto safety = static_cast<float>(settings.safetyDistance);
     float least = static_cast<float>(settings.reach) + safety;
     for (const int i : of.againstPart) {
-      least = partBound(placed, scene.items()[static_cast<std::size_t>(i)], least);
+      least = partBound(placed, scene.items()[static_cast<std::size_t>(i)], least, safety);
+      if (least < safety) {
+        return least - safety;
+      }
     }
     for (const Pair& pair : of.pairs) {
       least = boundOf(placed, pair, least);
+      if (least < safety) {
+        break;
+      }
     }
     return least - safety;
   }
@@ -256,7 +291,7 @@ struct CellCollision::Impl {
   [[nodiscard]] detail::DepositTree::Hit partDistance(const Placed& placed,
                                                       const Item& item,
                                                       double limit) const {
-    const Pose T_part_body = placed.T_part_base * bodyOf(placed, item);
+    const Pose& T_part_body = placed.inPart[static_cast<std::size_t>(item.body)];
     const Pose T_part_shape = T_part_body * item.T_body_shape;
     if (item.isMesh()) {
       return meshToPart(placed, item, T_part_shape, limit);

@@ -17,9 +17,10 @@ inline constexpr std::uint32_t kNever = 0xFFFFFFFFU;
 
 /// A lower bound of the distance from the deposit at every moment, by one look-up.
 ///
-/// Every voxel holds, for each of kLevels distances, the order from which on the deposit is no
-/// farther than that from the voxel's centre: one grid serves all instants of the build. 64 bytes
-/// per voxel: a query reads one cache line.
+/// Every voxel holds, for each of kLevels distances, the tick from which on the deposit is no
+/// farther than that from the voxel's centre: one grid serves all instants of the build. A tick is
+/// a power of two of points, as few as 16 bits allow; within one everything counts from its start
+/// on. 32 bytes per voxel: a query reads half a cache line.
 class DepositField {
 public:
   static constexpr int kLevels = 16;
@@ -38,7 +39,7 @@ public:
 
   /// Lower bound of the distance of a point of the part frame from what is deposited, negative when
   /// nothing is known; at most far(). About 5 ns when neighbouring queries are near one another.
-  [[nodiscard]] float distance(const Vec3& p, std::uint32_t deposited) const;
+  [[nodiscard]] float distance(const Eigen::Vector3f& p, std::uint32_t deposited) const;
 
 private:
   class Filler;
@@ -55,13 +56,17 @@ private:
   [[nodiscard]] float levelAt(int k) const { return static_cast<float>(near_ + k * step_); }
 
   Vec3 origin_ = Vec3::Zero();
+  Eigen::Vector3f originF_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f sizeF_ = Eigen::Vector3f::Zero();
   double edge_ = 1.0;
   double inverseEdge_ = 1.0;
   double near_ = 0.0;
   double far_ = 0.0;
   double step_ = 1.0;  ///< between levels
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
-  std::vector<std::uint32_t> first_;
+  static constexpr std::uint16_t kNeverTick = 0xFFFFU;
+  int shift_ = 0;  ///< of orders to ticks
+  std::vector<std::uint16_t> first_;
 };
 
 /// Exact queries: a bounding hierarchy over all rods of the deposit whose nodes know from which

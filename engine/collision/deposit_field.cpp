@@ -80,6 +80,11 @@ DepositField::DepositField(const std::vector<DepositRod>& rods,
   inverseEdge_ = 1.0 / edge_;
   origin_ = box.min;
   size_ = (extent / edge_).array().ceil().cast<int>();
+  originF_ = origin_.cast<float>();
+  sizeF_ = size_.cast<float>();
+  while ((rods.back().order >> shift_) >= kNeverTick) {
+    ++shift_;
+  }
   fill(joinedRods(rods, 2.0 * edge_), context);
 }
 
@@ -112,7 +117,7 @@ public:
     const float length2 = ab_.squaredNorm();
     inverse_ = length2 > 0.0F ? 1.0F / length2 : 0.0F;
     radius_ = static_cast<float>(run.radius + kRounding);
-    order_ = run.order;
+    tick_ = static_cast<std::uint16_t>(run.order >> field_.shift_);
     for (int by = blockAt(low.y(), 1); by <= blockAt(high.y(), 1); ++by) {
       for (int bx = blockAt(low.x(), 0); bx <= blockAt(high.x(), 0); ++bx) {
         addToBlock(bx, by);
@@ -192,9 +197,9 @@ private:
     const float d2 = squaredDistance((static_cast<float>(x) + 0.5F) * edge,
                                      (static_cast<float>(y) + 0.5F) * edge,
                                      (static_cast<float>(z) + 0.5F) * edge);
-    std::uint32_t* levels = &field_.first_[field_.indexOf(x, y, z) * kLevels];
+    std::uint16_t* levels = &field_.first_[field_.indexOf(x, y, z) * kLevels];
     for (int k = kLevels - 1; k >= 0; --k) {
-      if (levels[k] != kNever) {
+      if (levels[k] != kNeverTick) {
         continue;
       }
       const float level = field_.levelAt(k);
@@ -202,7 +207,7 @@ private:
       if (d2 >= limit * limit) {
         return level;
       }
-      levels[k] = order_;
+      levels[k] = tick_;
     }
     return kAllReached;
   }
@@ -218,11 +223,11 @@ private:
   Eigen::Vector3f ab_ = Eigen::Vector3f::Zero();
   float inverse_ = 0.0F;
   float radius_ = 0.0F;
-  std::uint32_t order_ = 0;
+  std::uint16_t tick_ = 0;
 };
 
 void DepositField::fill(const std::vector<DepositRod>& runs, const JobContext& context) {
-  first_.assign(indexOf(0, 0, size_.z()) * kLevels, kNever);
+  first_.assign(indexOf(0, 0, size_.z()) * kLevels, kNeverTick);
   // Every slab sees all runs in order: nothing depends on the number of threads.
   parallelFor(
       static_cast<std::size_t>((size_.z() + kBlock - 1) / kBlock), 1,
@@ -238,26 +243,25 @@ void DepositField::fill(const std::vector<DepositRod>& runs, const JobContext& c
       context);
 }
 
-float DepositField::distance(const Vec3& p, std::uint32_t deposited) const {
-  const Vec3 local = (p - origin_) * inverseEdge_;
-  if (first_.empty() ||
-      !(local.x() >= 0.0 && local.y() >= 0.0 && local.z() >= 0.0 && local.x() < size_.x() &&
-        local.y() < size_.y() && local.z() < size_.z())) {
+float DepositField::distance(const Eigen::Vector3f& p, std::uint32_t deposited) const {
+  const Eigen::Vector3f local = (p - originF_) * static_cast<float>(inverseEdge_);
+  if (first_.empty() || !(local.minCoeff() >= 0.0F && local.x() < sizeF_.x() &&
+                          local.y() < sizeF_.y() && local.z() < sizeF_.z())) {
     return static_cast<float>(far_);
   }
   const Eigen::Vector3i at = local.cast<int>();
-  const std::uint32_t* levels = &first_[indexOf(at.x(), at.y(), at.z()) * kLevels];
-  // The orders fall with the distance: count the levels that are not reached yet.
+  const auto tick =
+      static_cast<std::uint16_t>(std::min<std::uint32_t>(deposited >> shift_, kNeverTick - 1));
+  const std::uint16_t* levels = &first_[indexOf(at.x(), at.y(), at.z()) * kLevels];
+  // The ticks fall with the distance: count the levels that are not reached yet.
   int farther = 0;
   for (int k = 0; k < kLevels; ++k) {
-    farther += levels[k] > deposited ? 1 : 0;
+    farther += levels[k] > tick ? 1 : 0;
   }
-  const double off = edge_ * (local - at.cast<double>() - Vec3::Constant(0.5)).norm();
-  if (farther == 0) {
-    // Somewhere in or at the deposit.
-    return static_cast<float>(-off);
-  }
-  return static_cast<float>(near_ + (farther - 1) * step_ - off);
+  const float off = static_cast<float>(edge_) *
+                    (local - at.cast<float>() - Eigen::Vector3f::Constant(0.5F)).norm();
+  // Below all levels: somewhere in or at the deposit.
+  return farther == 0 ? -off : levelAt(farther - 1) - off;
 }
 
 }  // namespace wcam::collision::detail

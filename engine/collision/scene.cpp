@@ -62,6 +62,8 @@ Scene::Scene(const cell::Cell& cell,
   const Frame tcp = frameOf("tcp");
   torchBody_ = tcp.body;
   T_body_tcp_ = tcp.T_body_frame;
+  T_part_body_ = T_body_part_.inverse(Eigen::Isometry);
+  T_tcp_body_ = T_body_tcp_.inverse(Eigen::Isometry);
   addShapes(cell_.shapes.torch, BodyKind::Torch, making);
   addShapes(cell_.shapes.robot, BodyKind::Robot, making);
   addShapes(cell_.shapes.positioner, BodyKind::Positioner, making);
@@ -77,6 +79,7 @@ Scene Scene::moved(const Pose& T_table_part) const {
   Scene result = *this;
   result.cell_.T_table_part = T_table_part;
   result.T_body_part_ = frameOf("table").T_body_frame * T_table_part;
+  result.T_part_body_ = result.T_body_part_.inverse(Eigen::Isometry);
   const Pose move = result.T_body_part_ * T_body_part_.inverse(Eigen::Isometry);
   for (Item& item : result.items_) {
     if (item.kind != BodyKind::Substrate) {
@@ -257,12 +260,17 @@ void Scene::complete(Selection& selection) const {
   });
   std::set<int> items(selection.againstPart.begin(), selection.againstPart.end());
   std::set<int> bodies;
+  std::set<int> partBodies;
+  for (const int i : selection.againstPart) {
+    partBodies.insert(items_[static_cast<std::size_t>(i)].body);
+  }
   for (const Pair& pair : selection.pairs) {
     items.insert({pair.spheres, pair.field});
     bodies.insert(items_[static_cast<std::size_t>(pair.field)].body);
   }
   selection.items.assign(items.begin(), items.end());
   selection.bodies.assign(bodies.begin(), bodies.end());
+  selection.partBodies.assign(partBodies.begin(), partBodies.end());
 }
 
 void Scene::place(const double* q, BodyPoses& poses) const {

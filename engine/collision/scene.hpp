@@ -49,6 +49,7 @@ struct Selection {
   std::vector<Pair> pairs;       ///< the substrate's first
   std::vector<int> items;        ///< all that stand in one of these
   std::vector<int> bodies;       ///< those of the pairs' fields
+  std::vector<int> partBodies;   ///< those of againstPart
 };
 
 /// Shapes of a cell with the substrate, who is compared with whom, and where they are.
@@ -71,7 +72,9 @@ public:
 
   [[nodiscard]] int torchBody() const noexcept { return torchBody_; }
 
-  [[nodiscard]] const Pose& T_body_tcp() const noexcept { return T_body_tcp_; }
+  [[nodiscard]] const Pose& T_tcp_body() const noexcept { return T_tcp_body_; }
+
+  [[nodiscard]] const Pose& T_part_body() const noexcept { return T_part_body_; }
 
   [[nodiscard]] int partBody() const noexcept { return partBody_; }
 
@@ -115,6 +118,8 @@ private:
   int torchBody_ = 0;
   Pose T_body_part_ = Pose::Identity();
   Pose T_body_tcp_ = Pose::Identity();
+  Pose T_part_body_ = Pose::Identity();
+  Pose T_tcp_body_ = Pose::Identity();
 };
 
 }  // namespace wcam::collision::detail

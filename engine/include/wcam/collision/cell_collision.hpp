@@ -16,11 +16,11 @@
 namespace wcam::collision {
 
 struct CollisionSettings {
-  double safetyDistance = 5.0;            ///< mm
-  double reach = 60.0;                    ///< clearances above this are cut off, mm
-  std::size_t maxVoxels = 1024UL * 1024;  ///< of each look-up grid
+  double safetyDistance = 5.0;           ///< mm
+  double reach = 60.0;                   ///< clearances above this are cut off, mm
+  std::size_t maxVoxels = 256UL * 1024;  ///< of each look-up grid
   /// Ask the exact geometry about states that the grids cannot free; else evaluate() gives the
-  /// bound of the grids alone.
+  /// bound of the grids alone, of which a negative value only tells that it is negative.
   bool refine = true;
 };
 
