@@ -30,6 +30,9 @@ constexpr std::size_t kGrain = 64;
 constexpr double kTouch = 1e-6;
 /// Balls of the deposit that stand for it against the fixed cell.
 constexpr std::size_t kDepositBalls = 64;
+/// The exact stage looks this much farther than the safety distance, mm: beyond it a state that the
+/// grids could not free is free enough.
+constexpr double kRefinedReach = 10.0;
 /// Spheres up to this radius use the fine grid; larger ones (links) a coarse one, mm.
 constexpr double kFineRadius = 32.0;
 
@@ -364,7 +367,9 @@ struct CellCollision::Impl {
     for (const int i : of.againstPart) {
       const Item& item = scene.items()[static_cast<std::size_t>(i)];
       const double bound = partBound(placed, item, static_cast<float>(least));
-      least = std::min(least, bound >= wanted ? bound : partDistance(placed, item, least).distance);
+      // No farther than it is worth knowing.
+      const double limit = std::min(least, safety + kRefinedReach);
+      least = std::min(least, bound >= wanted ? bound : partDistance(placed, item, limit).distance);
     }
     for (const Pair& pair : of.pairs) {
       const double bound = boundOf(placed, pair, static_cast<float>(least));

@@ -153,6 +153,12 @@ DepositTree::Hit DepositTree::nearest(
       if (rod.order > deposited) {
         continue;
       }
+      // Most rods of a leaf are ruled out by their middle.
+      const double half = 0.5 * (rod.b - rod.a).norm();
+      if (signedDistance(solid, T_solid_part * Vec3(0.5 * (rod.a + rod.b))) - half - rod.radius >
+          best.distance) {
+        continue;
+      }
       const RodDistance found =
           rodDistance(solid, {T_solid_part * rod.a, T_solid_part * rod.b, rod.radius});
       const bool nearer =

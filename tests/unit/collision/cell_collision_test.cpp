@@ -3,6 +3,7 @@
 
 #include "wcam/collision/cell_collision.hpp"
 
+#include "wcam/base/error.hpp"
 #include "wcam/base/parallel.hpp"
 #include "wcam/cell/kinematics.hpp"
 

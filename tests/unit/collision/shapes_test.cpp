@@ -3,6 +3,7 @@
 
 #include "wcam/cell/shapes.hpp"
 
+#include "wcam/base/error.hpp"
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/error.hpp"
 #include "wcam/cell/angles.hpp"
 #include "wcam/motion/collisions.hpp"
 #include "wcam/motion/explain.hpp"

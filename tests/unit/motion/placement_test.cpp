@@ -3,6 +3,7 @@
 
 #include "wcam/motion/placement.hpp"
 
+#include "wcam/base/error.hpp"
 #include "wcam/base/parallel.hpp"
 
 #include "paths.hpp"
