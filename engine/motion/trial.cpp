@@ -102,8 +102,16 @@ TrialResult Trial::at(const TrialPoint& point, const Change& change, bool withCo
       positioner = otherSolution(cell_, point.point->up, positioner);
     }
     Pose table = cell::chainPose(cell_.positioner, positioner.data());
+    const Eigen::Matrix3d planned = (table * cell_.T_table_part * T_part_tcp).linear();
     table.translation() += change.inBase;
-    flange = table * T_table_part * T_part_tcp * cell_.T_flange_tcp.inverse();
+    Pose tcp = table * T_table_part * T_part_tcp;
+    if (change.turn != 0.0) {
+      // The torch does not turn along with the part: planning sets its rotation in the base.
+      tcp.linear() = Eigen::Quaterniond::FromTwoVectors(planned.col(2), tcp.linear().col(2))
+                         .toRotationMatrix() *
+                     planned;
+    }
+    flange = tcp * cell_.T_flange_tcp.inverse();
   }
   const cell::Branch branch = change.branch >= 0 ? cell::Branch::fromIndex(change.branch)
                                                  : cell::branchOf(*cell_.arm, point.joints.data());

@@ -102,7 +102,7 @@ std::size_t countBelowZero(const std::vector<float>& values) {
       std::count_if(values.begin(), values.end(), [](float v) { return v < 0.0F; }));
 }
 
-/// Only a straight nozzle of radius 8 from 14 mm on: what the arm does is not looked at.
+/// Only a straight nozzle of radius 12 from 14 mm on: what the arm does is not looked at.
 cell::Cell straightNozzle() {
   cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   cell.shapes = {};
@@ -110,7 +110,7 @@ cell::Cell straightNozzle() {
   nozzle.name = "nozzle";
   nozzle.kind = cell::ShapeKind::Cylinder;
   nozzle.frame = "tcp";
-  nozzle.radius = 8.0;
+  nozzle.radius = 12.0;
   nozzle.length = 60.0;
   nozzle.T_frame_shape.translation() = Vec3(0, 0, 14.0 + 30.0);
   cell.shapes.torch.push_back(nozzle);
@@ -152,7 +152,7 @@ TEST(ExitRotations, partThatBendsInwardIsFreed) {
   const CellCollision collision(cell, path, nullptr, settings);
   const Motion motion = toolMotion(path);
   const std::size_t before = countBelowZero(torchClearance(collision, motion));
-  EXPECT_GT(before, 500U);
+  EXPECT_GT(before, 180U);
   ExitRotations exits;
   toolpath::Toolpath turned = path;
   for (int pass = 0; pass < 4; ++pass) {
@@ -199,14 +199,14 @@ TEST(ExitRotations, toleranceThatIsTooSmallIsTold) {
   const CellCollision collision(cell, path, nullptr, settings);
   const ExitRotations exits =
       findExits(toolMotion(path), path, collision, params, {}, JobContext());
-  EXPECT_GT(exits.unsolved, 50U);
+  EXPECT_GT(exits.unsolved, 30U);
 }
 
 /// The whole way with the arm: the finding with the tilt that would be needed, then the tilt
 /// itself.
 TEST(CheckedMotion, reportsTheTiltAndMakesIt) {
   const cell::Cell cell = straightNozzle();
-  const toolpath::Toolpath path = dome(degToRad(60), 20, 60, true);
+  const toolpath::Toolpath path = dome(degToRad(72), 20, 60, true);
   MotionParams params = exitParams();
   params.exitRotations = false;
   JobContext told;
@@ -332,7 +332,7 @@ TEST(Explain, theCureCures) {
   const toolpath::Toolpath path = circles(2, 20.0, 24, Vec3::Zero());
   // Far out: the part must come nearer.
   cell::Cell cell = straightNozzle();
-  cell.positioner.T_root_first.translation() += Vec3(700, 300, 0);
+  cell.positioner.T_root_first.translation() += Vec3(900, 500, 0);
   JobContext far;
   planCheckedMotion(path, cell, nullptr, params, "op", far);
   const auto items = far.diagnostics().items();
@@ -340,11 +340,15 @@ TEST(Explain, theCureCures) {
     return d.code == "motion.unreachable";
   });
   ASSERT_NE(missing, items.end());
-  EXPECT_THAT(missing->remedy, HasSubstr("move the positioner by "));
-  const Vec3 move(figure(*missing, "cure_base_x_mm", 0), figure(*missing, "cure_base_y_mm", 0),
-                  figure(*missing, "cure_base_z_mm", 0));
-  EXPECT_GT(move.norm(), 0.0);
-  cell.positioner.T_root_first.translation() += move;
+  EXPECT_THAT(missing->remedy, HasSubstr("that serves all points tried of this bead"));
+  const auto vectorOf = [&](const std::string& frame) {
+    return Vec3(figure(*missing, "cure_" + frame + "_x_mm", 0),
+                figure(*missing, "cure_" + frame + "_y_mm", 0),
+                figure(*missing, "cure_" + frame + "_z_mm", 0));
+  };
+  EXPECT_GT(vectorOf("base").norm() + vectorOf("table").norm(), 0.0);
+  cell.positioner.T_root_first.translation() += vectorOf("base");
+  cell.T_table_part.translation() += vectorOf("table");
   JobContext near;
   const CheckedMotion cured = planCheckedMotion(path, cell, nullptr, params, "op", near);
   for (const Waypoint& waypoint : cured.planned.motion.waypoints) {
@@ -379,10 +383,14 @@ TEST(Explain, limitIsCuredByARotationAboutTheTorch) {
   ASSERT_NE(limit, items.end()) << low << " " << high;
   EXPECT_THAT(limit->remedy, HasSubstr("rotate the torch about its axis by "));
   params.torchRotation = Angle(degToRad(figure(*limit, "cure_rotation_deg", 0)));
+  // Choices begin with the automatic one.
+  params.branch = static_cast<BranchChoice>(
+      1 + static_cast<int>(figure(*limit, "cure_branch", static_cast<int>(params.branch) - 1)));
   JobContext after;
   planCheckedMotion(path, cell, nullptr, params, "op", after);
-  EXPECT_LT(after.diagnostics().count("motion.joint_limit"),
-            context.diagnostics().count("motion.joint_limit"));
+  for (const Diagnostic& finding : after.diagnostics().items()) {
+    EXPECT_NE(finding.code, "motion.joint_limit") << toLine(finding) << " after " << toLine(*limit);
+  }
 }
 
 TEST(Explain, nothingHelpsIsSaid) {

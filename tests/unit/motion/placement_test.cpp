@@ -16,8 +16,8 @@ namespace {
 
 PlacementSearch coarse() {
   PlacementSearch search;
-  search.rangeX = search.rangeY = 200.0;
-  search.step = 100.0;
+  search.rangeX = search.rangeY = 400.0;
+  search.step = 200.0;
   search.turnStep = degToRad(90.0);
   search.refinements = 1;
   search.samples = 12;
@@ -30,7 +30,7 @@ cell::Cell farOff() {
   cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   cell.positioner.joints.clear();  // a fixed table: the part cannot turn to the robot
   cell.positioner.T_last_tip.translation().z() += 149.631;
-  cell.T_table_part.translation() = Vec3(420, 0, 0);
+  cell.T_table_part.translation() = Vec3(900, 500, 0);
   cell.T_table_part.linear().setIdentity();
   return cell;
 }
