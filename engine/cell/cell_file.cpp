@@ -455,7 +455,7 @@ void readRobot(Reader& reader, const Value& file, Cell& cell) {
     return;
   }
   reader.knownKeys(*robot, "robot",
-                   {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions"});
+                   {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions", "collision"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);
   cell.robot.T_last_tip = reader.pose(*robot, "robot", "T_last_flange", false);
@@ -538,6 +538,32 @@ void checkVersion(const Value& file, const std::string& contextName) {
   }
 }
 
+/// Frames that shapes can be fixed to.
+std::vector<std::string> frameNames(const Cell& cell) {
+  std::vector<std::string> names = {"world", "base", "flange", "tcp", "table"};
+  for (int j = 0; j < cell.jointCount(); ++j) {
+    names.push_back(cell.joint(j).name);
+  }
+  return names;
+}
+
+CellShapes readCellShapes(Reader& reader,
+                          const Value& file,
+                          const Cell& cell,
+                          const std::filesystem::path& folder,
+                          const JobContext& context) {
+  ShapeReading reading;
+  reading.problem = [&](const std::string& path, const std::string& message) {
+    reader.problem(path, message);
+  };
+  reading.pose = [&](const Value& parent, const std::string& path, const std::string& key) {
+    return reader.pose(parent, path, key, false);
+  };
+  reading.frames = frameNames(cell);
+  reading.folder = folder;
+  return readShapes(file, reading, context);
+}
+
 void checkNames(Reader& reader, const Cell& cell) {
   std::set<std::string> names;
   for (int j = 0; j < cell.jointCount(); ++j) {
@@ -609,7 +635,10 @@ void readSums(Reader& reader, const Value& file, Cell& cell) {
 
 }  // namespace
 
-Cell cellFromValue(const Value& value, const std::string& contextName, const JobContext& context) {
+Cell cellFromValue(const Value& value,
+                   const std::string& contextName,
+                   const JobContext& context,
+                   const std::filesystem::path& folder) {
   if (!value.isObject()) {
     throw Error(ErrorCode::ProjectInvalid,
                 std::string("expected an object, got ") + toString(value.type()), contextName,
@@ -621,7 +650,7 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
   cell.source = value;
   reader.knownKeys(value, "",
                    {"format_version", "name", "description", "configuration", "robot", "torch",
-                    "positioner", "part_holder", "sum_limits"});
+                    "positioner", "part_holder", "sum_limits", "obstacles"});
   cell.name = reader.text(value, "", "name", true);
   cell.description = reader.text(value, "", "description", false);
   readConfiguration(reader, value, cell);
@@ -638,6 +667,7 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
   }
   checkNames(reader, cell);
   readSums(reader, value, cell);
+  cell.shapes = readCellShapes(reader, value, cell, folder, context);
   reader.finish();
   prepareArm(cell);
   return cell;
@@ -645,7 +675,8 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
 
 Cell loadCell(const std::filesystem::path& file, const JobContext& context) {
   const std::string name = pathText(file);
-  return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context);
+  return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context,
+                       file.parent_path());
 }
 
 }  // namespace wcam::cell

@@ -60,6 +60,16 @@ Pose chainPose(const Chain& chain, const double* q) {
   return pose * chain.T_last_tip;
 }
 
+void chainFrames(const Chain& chain, const double* q, Pose* frames) {
+  Pose pose = chain.T_root_first;
+  for (int j = 0; j < chain.size(); ++j) {
+    const Joint& joint = chain.joints[static_cast<std::size_t>(j)];
+    pose = pose * dhTransform(joint.alpha, joint.d, jointAngle(joint, j, q), joint.r);
+    frames[j] = pose;
+  }
+  frames[chain.size()] = pose * chain.T_last_tip;
+}
+
 ChainAxes chainAxes(const Chain& chain, const double* q) {
   ChainAxes axes;
   axes.points.reserve(chain.joints.size());

@@ -73,6 +73,7 @@ CommandLine::CommandLine() : app_(kPurpose) {
                 "Compute and check, write nothing; exit code 5 on violations");
   addCommon(app_);
   addFileVerbs();
+  addPlaceVerb();
   addOtherVerbs();
   app_.require_subcommand(0, 1);
   app_.footer(kExitCodes);
@@ -149,6 +150,31 @@ void CommandLine::addFileVerbs() {
               checkVerb);
   check->add_option("project", options_.file, "Project file")->required()->type_name("PROJECT");
   addSelection(*check);
+}
+
+void CommandLine::addPlaceVerb() {
+  CLI::App* place =
+      addVerb(app_, "place", "Search a place of the part on its table that the robot reaches best",
+              placeVerb);
+  place->add_option("--project", options_.file, "Project file")->required()->type_name("FILE");
+  place->add_option("--operation", options_.placedOperation, "Operation whose part is placed")
+      ->required()
+      ->type_name("ID");
+  place->add_option("--range", options_.placeRange, "Greatest move in x and y, mm (default: 200)")
+      ->check(CLI::Range(0.0, 5000.0))
+      ->type_name("MM");
+  place->add_option("--height", options_.placeHeight, "Greatest move in z, mm (default: 0)")
+      ->check(CLI::Range(0.0, 5000.0))
+      ->type_name("MM");
+  place->add_option("--step", options_.placeStep, "Step of the grid, mm (default: 50)")
+      ->check(CLI::Range(1.0, 5000.0))
+      ->type_name("MM");
+  place->add_option("--turn", options_.placeTurn, "Step of the rotation, degrees (default: 30)")
+      ->check(CLI::Range(1.0, 360.0))
+      ->type_name("DEG");
+  place->add_option("--map", options_.map, "Write all places with their margins as CSV")
+      ->type_name("FILE");
+  place->add_flag("--apply", options_.applyPlace, "Move parts and substrate there and save");
 }
 
 void CommandLine::addOtherVerbs() {

@@ -37,6 +37,14 @@ struct Options {
   std::string zero;         ///< speed: zero convention of the initial values
   std::string speed;        ///< speed: wanted
   double tolerance = 0.05;  ///< speed
+  // place
+  std::string placedOperation;
+  bool applyPlace = false;
+  double placeRange = 200.0;  ///< mm
+  double placeHeight = 0.0;   ///< mm
+  double placeStep = 50.0;    ///< mm
+  double placeTurn = 30.0;    ///< degrees
+  std::string map;            ///< CSV file
 };
 
 }  // namespace wcam::cli

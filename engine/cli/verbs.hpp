@@ -30,6 +30,7 @@ int newVerb(const Session& session);
 int infoVerb(const Session& session);
 int applyVerb(const Session& session);
 int checkVerb(const Session& session);
+int placeVerb(const Session& session);
 int pluginsListVerb(const Session& session);
 int schemaVerb(const Session& session);
 int speedVerb(const Session& session);

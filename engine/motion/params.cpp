@@ -4,6 +4,7 @@
 #include "wcam/motion/plan.hpp"
 
 #include "plan_detail.hpp"
+#include "collision_params.hpp"
 
 namespace wcam::motion {
 
@@ -156,6 +157,7 @@ Schema<MotionParams> makeSchema() {
   addTravel(schema);
   addChecks(schema);
   detail::addTimeLaw(schema);
+  detail::addCollision(schema);
   return schema;
 }
 

@@ -64,7 +64,8 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& params,
                          const std::string& operationId,
-                         const JobContext& context) {
+                         const JobContext& context,
+                         const collision::Clearance* /*clearance*/) {
   if (!cell.arm) {
     throw Error(ErrorCode::JobFailed,
                 "the robot of the cell has no closed-form inverse kinematics: " + cell.armProblem,

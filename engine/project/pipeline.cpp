@@ -21,8 +21,8 @@ constexpr int kSubstrateVersion = 1;
 constexpr int kSliceVersion = 2;
 constexpr int kPathVersion = 1;
 constexpr int kProcessVersion = 1;
-constexpr int kCellVersion = 1;
-constexpr int kMotionVersion = 1;
+constexpr int kCellVersion = 2;
+constexpr int kMotionVersion = 2;
 constexpr int kProgramVersion = 1;
 
 std::string placementText(const Placement& placement) {
@@ -338,12 +338,18 @@ Staged<cell::Cell> Pipeline::stageCell(const JobContext& context) const {
   }
   const std::filesystem::path file = resolvePath(project_, ref);
   StageKey key("cell", kCellVersion);
-  key.text(sha256OfFile(file));
+  const std::string text = readFile(file);
+  key.text(sha256Hex(text));
+  for (const std::filesystem::path& mesh :
+       cell::shapeFiles(parseJson(text, pathText(file)), file.parent_path())) {
+    // A missing mesh is told by the reader, with its place in the file.
+    key.text(std::filesystem::exists(mesh) ? sha256OfFile(mesh) : std::string());
+  }
   return stage<cell::Cell>("cell", std::move(key), context,
                            [&](const JobContext& own) { return cell::loadCell(file, own); });
 }
 
-OperationResult Pipeline::compute(const std::string& id, const JobContext& context) const {
+const Operation& Pipeline::operationOf(const std::string& id) const {
   const Operation* operation = document_.project().operation(id);
   if (operation == nullptr) {
     std::vector<std::string> ids;
@@ -354,14 +360,41 @@ OperationResult Pipeline::compute(const std::string& id, const JobContext& conte
     throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {},
                 near ? "did you mean '" + *near + "'?" : "operations: " + joinText(ids, ", "));
   }
+  return *operation;
+}
+
+OperationResult Pipeline::compute(const std::string& id, const JobContext& context) const {
+  const Operation& operation = operationOf(id);
   try {
-    return computeStages(*operation, context);
+    return computeStages(operation, Until::Program, context);
+  } catch (const Error& error) {
+    rethrowIn(error, "operation '" + id + "'");
+  }
+}
+
+motion::PlacementMap Pipeline::searchPlacement(const std::string& id,
+                                               const motion::PlacementSearch& search,
+                                               const JobContext& context) const {
+  const Operation& operation = operationOf(id);
+  try {
+    const OperationResult result = computeStages(operation, Until::Cell, context.portion(0.0, 0.3));
+    const auto params = motion::MotionParams::schema().read(operation.motion, "motion");
+    std::unique_ptr<collision::CellCollision> model;
+    if (params.checkCollisions && !result.cell->shapes.empty()) {
+      collision::CollisionSettings settings;
+      settings.safetyDistance = params.safetyDistance.value();
+      model = std::make_unique<collision::CellCollision>(*result.cell, *result.path,
+                                                         result.substrate.get(), settings, context);
+    }
+    return motion::searchPlacement(*result.path, *result.cell, model.get(), params, search,
+                                   context.portion(0.3, 1.0, "placement"));
   } catch (const Error& error) {
     rethrowIn(error, "operation '" + id + "'");
   }
 }
 
 OperationResult Pipeline::computeStages(const Operation& operation,
+                                        Until until,
                                         const JobContext& context) const {
   OperationResult result;
   result.id = operation.id;
@@ -444,18 +477,28 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   const Staged<cell::Cell> cell = stageCell(context);
   collectFrom(cell);
   result.cell = cell.value;
+  if (until == Until::Cell) {
+    return result;
+  }
   const auto motionParams = motion::MotionParams::schema().read(operation.motion, "motion");
   StageKey motionKey("motion", kMotionVersion);
   motionKey.text(processed.key)
       .text(cell.key)
+      .text(substrate.key)
       .params(motion::MotionParams::schema().params().complete(operation.motion));
-  const auto motion = stage<motion::PlannedMotion>(
+  const auto motion = stage<motion::CheckedMotion>(
       "motion", std::move(motionKey), context.portion(0.7, 0.95, "motion"),
       [&](const JobContext& own) {
-        return motion::planMotion(*processed.value, *cell.value, motionParams, operation.id, own);
+        return motion::planCheckedMotion(*processed.value, *cell.value, substrate.value.get(),
+                                         motionParams, operation.id, own);
       });
   collectFrom(motion);
-  result.motion = motion.value;
+  result.motion =
+      std::shared_ptr<const motion::PlannedMotion>(motion.value, &motion.value->planned);
+  result.collisions = motion.value->collisions;
+  if (motion.value->pathChanged) {
+    result.path = std::shared_ptr<const toolpath::Toolpath>(motion.value, &motion.value->path);
+  }
 
   StageKey programKey("program", kProgramVersion);
   programKey.text(motion.key)
@@ -467,7 +510,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       [&](const JobContext& own) {
         const program::ArcSettings arc{result.process.job, result.process.craterTime.value(),
                                        motionParams.jointSpeedRatio};
-        return program::programFromMotion(*motion.value, *cell.value, arc, operation.id,
+        return program::programFromMotion(motion.value->planned, *cell.value, arc, operation.id,
                                           document_.project().name, own);
       });
   collectFrom(program);

@@ -215,6 +215,19 @@ void addMotion(Value& report, const OperationResult& result) {
   report.set("joints", joints).set("reversals", reversalsValue(result));
 }
 
+/// Null when nothing was looked at.
+Value collisionValue(const motion::CollisionStatistics& s) {
+  if (!s.checked) {
+    return Value();
+  }
+  return Value::object({{"least_distance_mm", s.leastDistance},
+                        {"states", s.states},
+                        {"colliding_points", s.collidingPoints},
+                        {"near_points", s.nearPoints},
+                        {"turned_points", s.turnedPoints},
+                        {"greatest_exit_rotation_deg", radToDeg(s.greatestExit)}});
+}
+
 }  // namespace
 
 Value operationReport(const OperationResult& result) {
@@ -226,6 +239,7 @@ Value operationReport(const OperationResult& result) {
   addProcess(report, result);
   addPath(report, result);
   addMotion(report, result);
+  report.set("collision", collisionValue(result.collisions));
   report.set("diagnostics_by_code", countsByCode(result.findings));
   return report;
 }

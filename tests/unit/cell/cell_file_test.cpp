@@ -79,7 +79,7 @@ TEST(CellFile, correctedSignOfTheArticleLeavesRoundingOnly) {
 
 TEST(CellFile, sourceKeepsEverything) {
   Value file = fanucFile();
-  file.findMutable("torch")->set("neck", Value::object({{"radius", 22}}));
+  file.findMutable("torch")->set("x-neck", Value::object({{"radius", 22}}));
   const Cell cell = cellFromValue(file, "cell test");
   EXPECT_EQ(cell.source, file);
 }

@@ -6,6 +6,7 @@
 #include "wcam/base/value.hpp"
 #include "wcam/cell/arm.hpp"
 #include "wcam/cell/chain.hpp"
+#include "wcam/cell/shapes.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -72,7 +73,8 @@ struct Cell {
   std::vector<JointSum> sums;
   std::vector<ZeroConvention> zeroConventions;
 
-  Value source;  ///< the file's content with everything that is not read here (neck, collision)
+  CellShapes shapes;  ///< what can collide
+  Value source;       ///< the file's content with everything that is not read here
 
   [[nodiscard]] bool partCarried() const { return configuration == Configuration::PartCarried; }
 
@@ -96,10 +98,12 @@ struct Cell {
 /// @throws Error(InputNotFound, InputInvalid) for the file, Error(ProjectInvalid) with all format
 /// problems and their paths
 Cell loadCell(const std::filesystem::path& file, const JobContext& context = JobContext());
-/// The same from a parsed file; `contextName` names it in messages.
+/// The same from a parsed file; `contextName` names it in messages, meshes are looked for in
+/// `folder`.
 Cell cellFromValue(const Value& value,
                    const std::string& contextName,
-                   const JobContext& context = JobContext());
+                   const JobContext& context = JobContext(),
+                   const std::filesystem::path& folder = {});
 
 /// Finds cell.arm and cell.inverse from the axes of cell.robot. Called by the loaders; call it
 /// again after changing the chain or the tool.

@@ -75,6 +75,10 @@ Eigen::MatrixXd couplingMatrix(const Chain& chain);
 /// Pose of the tip in the root frame. `q` points to chain.size() controller values.
 Pose chainPose(const Chain& chain, const double* q);
 
+/// Poses of the frames that turn with each joint, in the root frame, then of the tip: chain.size()
+/// + 1 poses. `q` points to chain.size() controller values.
+void chainFrames(const Chain& chain, const double* q, Pose* frames);
+
 /// Axis lines (point, unit direction) of all joints in the root frame, then the tip.
 struct ChainAxes {
   std::vector<Vec3> points;

@@ -5,6 +5,7 @@
 #include "wcam/base/context.hpp"
 #include "wcam/base/param.hpp"
 #include "wcam/cell/cell.hpp"
+#include "wcam/collision/clearance.hpp"
 #include "wcam/motion/motion.hpp"
 #include "wcam/motion/time_law_params.hpp"
 #include "wcam/toolpath/toolpath.hpp"
@@ -40,6 +41,13 @@ struct MotionParams : TimeLawParams {
   Angle maxJointStep{degToRad(30.0)};
   Angle verticalTolerance{degToRad(1.0)};
 
+  bool checkCollisions = true;
+  Length safetyDistance{5.0};
+  bool exitRotations = false;
+  Angle exitLateral{degToRad(30.0)};
+  Angle exitLead{degToRad(10.0)};
+  double exitRate = 2.0;  ///< degrees per mm
+
   static const Schema<MotionParams>& schema();
 };
 
@@ -62,12 +70,14 @@ struct MotionParams : TimeLawParams {
 ///
 /// A toolpath without points gives an empty motion. Independent of the number of threads. About
 /// 3 µs per point.
+/// @param clearance of the operation, may be null
 /// @throws Error(JobFailed) when the cell's robot has no closed-form inverse kinematics
 PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& params,
                          const std::string& operationId,
-                         const JobContext& context);
+                         const JobContext& context,
+                         const collision::Clearance* clearance = nullptr);
 
 /// Fills time and tcpSpeed of all waypoints. The length of the path is the master: linear moves
 /// between two stops follow wcam/motion/speed_law.hpp with the wanted speed as the cap; joint moves
