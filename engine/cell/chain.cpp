@@ -64,7 +64,7 @@ void chainFrames(const Chain& chain, const double* q, Pose* frames) {
   Pose pose = chain.T_root_first;
   for (int j = 0; j < chain.size(); ++j) {
     const Joint& joint = chain.joints[static_cast<std::size_t>(j)];
-    pose = pose * dhTransform(joint.alpha, joint.d, jointAngle(joint, j, q), joint.r);
+    pose = pose * jointTransform(joint, j, q);
     frames[j] = pose;
   }
   frames[chain.size()] = pose * chain.T_last_tip;
