@@ -17,12 +17,18 @@ namespace wcam::motion::detail {
 
 namespace {
 
-/// Starts of b0 over the turn.
+/// Starts of b0 over the turn, each with these starts of b1 (±π turn the tool once with a closed
+/// bead), rad.
 constexpr int kStarts = 12;
-/// Fits that go on to the next degree, each with its new coefficient at these starts (rad; ±π of b1
-/// turn the tool once with a closed bead).
+constexpr double kSlopes[] = {0.0, 1.0, -1.0, kPi, -kPi};
+/// Different fits of a degree that go on to the next one, each with these starts of the new
+/// coefficient, rad.
 constexpr std::size_t kBeam = 4;
-constexpr double kNewCoefficient[] = {0.0, 1.0, -1.0, kPi, -kPi};
+constexpr double kNewCoefficient[] = {0.0, 1.0, -1.0};
+/// Starts that are improved: those with the least cost.
+constexpr std::size_t kTried = 20;
+/// Fits whose costs differ by less than this (relative) are taken for the same.
+constexpr double kSameFit = 1e-4;
 /// Points of a bead on which the starts are compared; the best ones go on with all points.
 constexpr std::size_t kCoarsePoints = 24;
 constexpr std::size_t kFinalists = 2;
@@ -258,25 +264,68 @@ bool comesBefore(const Fit& a, const Fit& b) {
   return outside != (b.margin < 0.0) ? !outside : a.cost < b.cost;
 }
 
+/// All starts of a degree.
+std::vector<Coefficients> startsOf(int degree, double start, const std::vector<Fit>& shorter) {
+  std::vector<Coefficients> starts;
+  for (int k = 0; k < kStarts; ++k) {
+    for (const double slope : kSlopes) {
+      Coefficients b = Coefficients::Zero(degree + 1);
+      b(0) = start + 2.0 * kPi * k / kStarts;
+      if (degree > 0) {
+        b(1) = slope;
+      }
+      starts.push_back(b);
+      if (degree == 0) {
+        break;
+      }
+    }
+  }
+  for (const Fit& fit : shorter) {
+    for (const double next : kNewCoefficient) {
+      starts.push_back(longer(fit.b, next));
+    }
+  }
+  return starts;
+}
+
+/// Fits of the best starts on few points, the best first; no two alike.
+std::vector<Fit> coarseFits(const BeadProblem& coarse,
+                            const std::vector<Coefficients>& starts,
+                            const JobContext& context) {
+  std::vector<Fit> tried;
+  for (const Coefficients& b : starts) {
+    const BeadProblem::State state = coarse.evaluate(b, false);
+    tried.push_back({b, state.cost, state.margin});
+  }
+  std::stable_sort(tried.begin(), tried.end(), comesBefore);
+  tried.resize(std::min(kTried, tried.size()));
+  for (Fit& fit : tried) {
+    context.check();
+    fit = minimise(coarse, fit.b, kCoarseIterations);
+  }
+  std::stable_sort(tried.begin(), tried.end(), comesBefore);
+  std::vector<Fit> different;
+  for (const Fit& fit : tried) {
+    const bool seen = std::any_of(different.begin(), different.end(), [&fit](const Fit& other) {
+      return std::abs(fit.cost - other.cost) <= kSameFit * other.cost;
+    });
+    if (!seen && different.size() < kBeam) {
+      different.push_back(fit);
+    }
+  }
+  return different;
+}
+
 Fit fitBead(const BeadProblem& coarse,
             const BeadProblem& fine,
             int degree,
             double start,
             const JobContext& context) {
-  std::vector<Coefficients> starts;
-  for (int k = 0; k < kStarts; ++k) {
-    starts.push_back(Coefficients::Constant(1, start + 2.0 * kPi * k / kStarts));
-  }
+  std::vector<Fit> fits;
   Fit best;
-  best.b = starts.front();
+  best.b = Coefficients::Constant(1, start);
   for (int n = 0; n <= degree; ++n) {
-    std::vector<Fit> fits;
-    for (const Coefficients& b : starts) {
-      context.check();
-      fits.push_back(minimise(coarse, b, kCoarseIterations));
-    }
-    std::stable_sort(fits.begin(), fits.end(), comesBefore);
-    fits.resize(std::min(kBeam, fits.size()));
+    fits = coarseFits(coarse, startsOf(n, start, fits), context);
     std::vector<Coefficients> finalists;
     for (std::size_t k = 0; k < std::min(kFinalists, fits.size()); ++k) {
       finalists.push_back(fits[k].b);
@@ -294,12 +343,6 @@ Fit fitBead(const BeadProblem& coarse,
     }
     if (best.b.size() <= n) {
       best.b = longer(best.b, 0.0);
-    }
-    starts.clear();
-    for (const Fit& fit : fits) {
-      for (const double next : kNewCoefficient) {
-        starts.push_back(longer(fit.b, next));
-      }
     }
   }
   return best;

@@ -99,13 +99,14 @@ inline toolpath::Toolpath hemisphere(double radius, double step, int points, dou
   return path;
 }
 
-/// One closed bead on a circle in the plane z = centre.z, starting at an angle.
+/// A bead on a circle in the plane z = centre.z: so many points evenly over the turn, from an
+/// angle on; the last one lies a step before the first.
 inline toolpath::Toolpath circleFrom(
     double radius, int points, const Vec3& centre, double startAngle, double speed = 10.0) {
   toolpath::Toolpath path;
   toolpath::Bead bead;
   for (int i = 0; i < points; ++i) {
-    const double a = startAngle + 2 * kPi * i / (points - 1);
+    const double a = startAngle + 2 * kPi * i / points;
     toolpath::PathPoint point;
     point.n = Vec3(std::cos(a), std::sin(a), 0);
     point.t = Vec3(-std::sin(a), std::cos(a), 0);
