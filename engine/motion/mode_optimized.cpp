@@ -19,6 +19,9 @@ constexpr std::size_t kAllModesTargets = 2000;
 
 /// Both gauges are refined up to this many targets, else the better one.
 constexpr std::size_t kBothGaugesTargets = 4000;
+/// The table's samples are searched up to this many rungs (half a second each thousand), else only
+/// where the gravity-aligned reference alone does not keep all constraints.
+constexpr std::size_t kTableRungs = 1500;
 /// Searches with newly found collisions at most; each finds those of the path before.
 constexpr int kCollisionRounds = 12;
 /// Cost of a colliding state: below a state outside limits, above a singular one; and per
@@ -106,12 +109,21 @@ private:
     for (const Segment& segment : task_.runs.segments) {
       frame.points += segment.last - segment.first + 1;
     }
+    frame.moveTable = frame.rungs.size() <= kTableRungs;
+    if (!tryGauges(frame) && !frame.moveTable) {
+      frame.moveTable = true;
+      tryGauges(frame);
+    }
+  }
+
+  /// Search and refinement with both gauges of the torch rotation; true when all constraints hold.
+  bool tryGauges(SearchFrame& frame) {
     std::vector<std::pair<RefineFrame, Candidate>> found;
     for (const bool following : {false, true}) {
-      frame.gauge = following ? followingGauge(task_, family) : constantGauge(task_);
+      frame.gauge = following ? followingGauge(task_, frame.family) : constantGauge(task_);
       bool tableFree = false;
       Candidate own = searched(frame, &tableFree);
-      found.emplace_back(RefineFrame{frame.gauge, family, tableFree}, std::move(own));
+      found.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
       if (tableFree) {
         break;  // the table can follow the path instead
       }
@@ -120,11 +132,15 @@ private:
     const std::size_t better =
         found.size() > 1 && found[1].second.evaluation.betterThan(found[0].second.evaluation) ? 1
                                                                                               : 0;
+    bool feasible = false;
     for (std::size_t k = 0; k < found.size(); ++k) {
       if (k == better || task_.targets.size() <= kBothGaugesTargets) {
-        keep(refine(task_, found[k].first, found[k].second, context_, clearance_));
+        Candidate refined = refine(task_, found[k].first, found[k].second, context_, clearance_);
+        feasible = feasible || refined.evaluation.feasible();
+        keep(std::move(refined));
       }
     }
+    return feasible;
   }
 
   /// The graph search; with a clearance again until its path is free: only the states of rungs that

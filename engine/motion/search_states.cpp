@@ -128,7 +128,7 @@ void StateBuilder::chooseTables(const Rung& rung, RungStates& states) const {
   for (int k = -kTableSamples / 2; k < kTableSamples / 2; ++k) {
     const double value = reference + k * kTableStep;
     if (k != 0) {
-      if (!hasTable_ ||
+      if (!hasTable_ || !frame_.moveTable ||
           cell::limitExcess(task_.cell.joint(task_.cell.jointCount() - 1), value) > 0.0) {
         continue;
       }

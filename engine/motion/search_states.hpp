@@ -45,6 +45,7 @@ struct SearchFrame {
   std::size_t family = 0;     ///< of the gravity-aligned reference
   std::vector<double> gauge;  ///< torch rotation of sample 0 at every target, continuous
   bool fourWraps = true;      ///< axis 4 may pass a half turn
+  bool moveTable = true;      ///< table samples besides the reference
   std::size_t points = 1;     ///< targets on beads
 };
 
