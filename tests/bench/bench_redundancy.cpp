@@ -254,10 +254,18 @@ void benchLong() {
 
 }  // namespace
 
-void benchAll() {
-  benchHemisphere();
-  benchSearch();
-  benchLong();
+/// All parts, or the one that is named.
+void bench(const std::string& part) {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  if (part.empty() || part == "hemisphere") {
+    benchHemisphere();
+  }
+  if (part.empty() || part == "graph") {
+    benchSearch();
+  }
+  if (part.empty() || part == "long") {
+    benchLong();
+  }
 }
 
 int failed() {
@@ -266,7 +274,7 @@ int failed() {
 
 }  // namespace wcam::motion
 
-int main() {
-  wcam::motion::benchAll();
+int main(int argc, char** argv) {
+  wcam::motion::bench(argc > 1 ? argv[1] : "");
   return wcam::motion::failed() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
