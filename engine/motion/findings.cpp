@@ -5,6 +5,7 @@
 #include "wcam/cell/joint_text.hpp"
 #include "wcam/cell/unwrap.hpp"
 
+#include "cell_model.hpp"
 #include "plan_detail.hpp"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace {
 
 /// A speed that is lower by more than this (relative) was held back by a joint.
 constexpr double kSlower = 1e-9;
+/// Rounding of an angle on its limit, rad.
+constexpr double kOnLimit = 1e-9;
 constexpr std::size_t kCheckEvery = 4096;
 
 /// The worst of a kind of finding in one bead. The place is the worst point of the bead itself, a
@@ -57,16 +60,14 @@ class BeadFindings {
 public:
   BeadFindings(const Cell& cell, const MotionParams& params, Place place)
       : cell_(cell),
+        model_(cell),
         params_(params),
         place_(std::move(place)),
         limits_(static_cast<std::size_t>(cell.jointCount())),
         steps_(limits_.size()),
         turns_(limits_.size()) {}
 
-  void add(const Waypoint& point,
-           const Waypoint* before,
-           const PointState& state,
-           double residual) {
+  void add(const Waypoint& point, const Waypoint* before, const PointState& state) {
     if (!point.reachable) {
       unreachable_.add(state.missing, point.point);
     } else {
@@ -75,9 +76,10 @@ public:
         dexterity_.add(-static_cast<double>(state.dexterity), point.point);
       }
     }
-    if (residual > params_.verticalTolerance.value()) {
-      vertical_.add(residual, point.point);
+    if (point.verticalError > params_.verticalTolerance.value()) {
+      vertical_.add(point.verticalError, point.point);
     }
+    addTwist(point);
     for (std::size_t j = 0; j < limits_.size(); ++j) {
       const auto joint = static_cast<int>(j);
       const double excess = cell::limitExcess(cell_.joint(joint), point.joints(joint));
@@ -112,6 +114,15 @@ private:
     }
     if (state.axisDistance < params_.shoulderMargin.value()) {
       shoulder_.add(-static_cast<double>(state.axisDistance), point.point);
+    }
+  }
+
+  void addTwist(const Waypoint& point) {
+    if (params_.cableLimit.value() > 0.0 && point.reachable) {
+      const double twist = std::abs(model_.cableTwist(point.joints, params_.cableZero.value()));
+      if (twist > params_.cableLimit.value() + kOnLimit) {
+        cable_.add(twist, point.point);
+      }
     }
   }
 
@@ -271,12 +282,20 @@ private:
           "the positioner's axes cannot turn it further; choose another build direction", vertical_,
           {{"angle_deg", radToDeg(vertical_.value)}});
     }
+    if (cable_.count > 0) {
+      put(context, Severity::Warning, "motion.cable_twist",
+          "the torch's cable is twisted by up to " + degText(cable_.value) + " at " +
+              points(cable_.count),
+          "change the rotation about the torch or the configuration; check the cable's zero",
+          cable_, {{"twist_deg", radToDeg(cable_.value)}});
+    }
   }
 
   const Cell& cell_;
+  CellModel model_;
   const MotionParams& params_;
   Place place_;
-  Worst unreachable_, wrist_, elbow_, shoulder_, dexterity_, vertical_, slow_;
+  Worst unreachable_, wrist_, elbow_, shoulder_, dexterity_, vertical_, slow_, cable_;
   std::vector<Worst> limits_, steps_, turns_;
 };
 
@@ -285,7 +304,6 @@ private:
 void reportFindings(const Cell& cell,
                     const Motion& motion,
                     const std::vector<PointState>& states,
-                    const Positioning& positioning,
                     const MotionParams& params,
                     const std::string& operationId,
                     const JobContext& context) {
@@ -299,7 +317,7 @@ void reportFindings(const Cell& cell,
       if (i % kCheckEvery == 0) {
         context.check();
       }
-      findings.add(points[i], i > 0 ? &points[i - 1] : nullptr, states[i], positioning.residual[i]);
+      findings.add(points[i], i > 0 ? &points[i - 1] : nullptr, states[i]);
     }
     findings.report(context);
   }

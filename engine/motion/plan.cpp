@@ -3,59 +3,83 @@
 
 #include "wcam/motion/plan.hpp"
 
+#include "wcam/base/parallel.hpp"
 #include "wcam/motion/reversals.hpp"
 
-#include "plan_detail.hpp"
+#include "cell_model.hpp"
+#include "modes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wcam::motion {
 
 namespace {
 
-using cell::Branch;
+constexpr std::size_t kGrain = 256;
 
-/// Positioner solution and branch that serve the whole operation best.
-struct Choice {
-  detail::Positioning positioning;
-  Branch branch;
-};
-
-bool mayUse(const MotionParams& params, int branch) {
-  return params.branch == BranchChoice::Auto || static_cast<int>(params.branch) - 1 == branch;
-}
-
-Choice choose(const cell::Cell& cell,
-              const std::vector<detail::Target>& targets,
-              const MotionParams& params,
-              const JobContext& context) {
+/// References of both ways of the positioner, one where they are the same.
+std::vector<detail::Positioning> alignments(const cell::Cell& cell,
+                                            const std::vector<detail::Target>& targets,
+                                            const JobContext& context) {
+  std::vector<detail::Positioning> aligned;
+  aligned.push_back(detail::positionPart(cell, targets, 0, context));
   // Two positioner solutions exist only with two axes.
-  const int families = cell.positionerJoints() == 2 ? 2 : 1;
-  Choice best;
-  detail::BranchScore bestScore;
-  bool found = false;
-  for (int family = 0; family < families; ++family) {
-    detail::Positioning positioning = detail::positionPart(cell, targets, family, context);
-    if (family > 0 && positioning.joints == best.positioning.joints) {
-      break;
-    }
-    const detail::BranchScores scores =
-        detail::scoreBranches(cell, targets, positioning, params, context);
-    bool taken = false;
-    for (int k = 0; k < Branch::kCount; ++k) {
-      const detail::BranchScore& score = scores[static_cast<std::size_t>(k)];
-      if (mayUse(params, k) && (!found || score.betterThan(bestScore))) {
-        found = true;
-        taken = true;
-        bestScore = score;
-        best.branch = Branch::fromIndex(k);
-      }
-    }
-    if (taken) {
-      best.positioning = std::move(positioning);
+  if (!cell.partCarried() && cell.positionerJoints() == 2) {
+    detail::Positioning other = detail::positionPart(cell, targets, 1, context);
+    if (other.joints != aligned[0].joints) {
+      aligned.push_back(std::move(other));
     }
   }
-  return best;
+  return aligned;
+}
+
+std::string branchNames(const std::vector<cell::Branch>& branches) {
+  std::string names;
+  std::vector<cell::Branch> seen;
+  for (const cell::Branch branch : branches) {
+    if (std::find(seen.begin(), seen.end(), branch) == seen.end()) {
+      seen.push_back(branch);
+      names += (names.empty() ? "" : "/") + branch.name();
+    }
+  }
+  return names;
+}
+
+void fillDexterity(const cell::Cell& cell,
+                   const Motion& motion,
+                   std::vector<detail::PointState>& states,
+                   const JobContext& context) {
+  const detail::CellModel model(cell);
+  parallelFor(
+      motion.waypoints.size(), kGrain,
+      [&](std::size_t i) {
+        if (motion.waypoints[i].reachable) {
+          states[i].dexterity =
+              static_cast<float>(model.armState(motion.waypoints[i].joints).dexterity);
+        }
+      },
+      context);
+}
+
+void fillStatistics(const cell::Cell& cell,
+                    const MotionParams& params,
+                    const detail::Candidate& chosen,
+                    PlannedMotion& planned) {
+  MotionStatistics& statistics = planned.statistics;
+  statistics.branch = branchNames(chosen.resolution.branches);
+  statistics.mode = redundancyKey(chosen.mode);
+  statistics.evaluation = chosen.evaluation;
+  const detail::CellModel model(cell);
+  for (const Waypoint& point : planned.motion.waypoints) {
+    statistics.maxVerticalError = std::max(statistics.maxVerticalError, point.verticalError);
+    statistics.maxTilt = std::max(statistics.maxTilt, point.tilt);
+    if (point.point >= 0 && point.reachable) {
+      statistics.maxCableTwist =
+          std::max(statistics.maxCableTwist,
+                   std::abs(model.cableTwist(point.joints, params.cableZero.value())));
+    }
+  }
 }
 
 }  // namespace
@@ -65,7 +89,7 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const MotionParams& params,
                          const std::string& operationId,
                          const JobContext& context,
-                         const collision::Clearance* /*clearance*/) {
+                         const collision::Clearance* clearance) {
   if (!cell.arm) {
     throw Error(ErrorCode::JobFailed,
                 "the robot of the cell has no closed-form inverse kinematics: " + cell.armProblem,
@@ -73,24 +97,32 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
                 "use a robot with a spherical wrist and parallel axes 2 and 3");
   }
   PlannedMotion planned;
-  const std::vector<detail::Target> targets = detail::makeTargets(path, params, context);
-  const Choice choice = choose(cell, targets, params, context.portion(0.0, 0.5));
-  context.report(0.5);
+  std::vector<detail::Target> targets = detail::makeTargets(path, params, context);
+  if (targets.empty()) {
+    return planned;
+  }
+  detail::Runs runs = detail::findRuns(targets);
+  std::vector<detail::Positioning> aligned = alignments(cell, targets, context);
+  const detail::Task task{cell, params, std::move(targets), std::move(runs), std::move(aligned)};
+  context.report(0.1);
+  const JobContext planning = context.portion(0.1, 0.8);
+  detail::Candidate chosen =
+      params.mode == RedundancyMode::Optimized
+          ? detail::resolveOptimized(task, planning, clearance)
+          : detail::makeCandidate(task, params.mode,
+                                  detail::resolveNamed(params.mode, task, planning), context,
+                                  clearance);
   std::vector<detail::PointState> states;
-  detail::solveBranch(cell, targets, choice.positioning, choice.branch, params, context,
-                      planned.motion, states);
+  planned.motion = detail::solveMotion(task, chosen.resolution, context, &states);
+  fillDexterity(cell, planned.motion, states, context);
   applyTimeLaw(planned.motion, cell, params, params.jointSpeedRatio, context);
-  detail::reportFindings(cell, planned.motion, states, choice.positioning, params, operationId,
-                         context);
-  context.report(0.9);
+  detail::reportFindings(cell, planned.motion, states, params, operationId, context);
+  context.report(0.95);
   planned.statistics = motionStatistics(planned.motion, cell, context);
   planned.statistics.reversals = jointReversals(planned.motion, cell);
   detail::reportSpeeds(cell, planned.motion, params, operationId, planned.statistics.reversals,
                        context);
-  planned.statistics.branch = choice.branch.name();
-  for (const double residual : choice.positioning.residual) {
-    planned.statistics.maxVerticalError = std::max(planned.statistics.maxVerticalError, residual);
-  }
+  fillStatistics(cell, params, chosen, planned);
   context.report(1.0);
   return planned;
 }

@@ -8,20 +8,24 @@
 #include "wcam/motion/speed_law.hpp"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 /// Stages of planMotion. Private to this module.
 namespace wcam::motion::detail {
 
 using cell::Cell;
+using geometry::Pose;
 using geometry::Vec3;
+using PositionerValues = std::array<double, 2>;
 
 /// A waypoint before the robot is asked: where and how, in the part frame.
 struct Target {
   Vec3 p = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
   Vec3 up = Vec3::UnitZ();
-  Waypoint waypoint;  ///< everything but pose, joints and times
+  Vec3 along = Vec3::UnitX();  ///< direction of travel; lead tilts towards it
+  Waypoint waypoint;           ///< everything but pose, joints and times
 };
 
 /// Waypoints of an operation: beads with retract, travel and approach moves around them.
@@ -29,9 +33,42 @@ std::vector<Target> makeTargets(const toolpath::Toolpath& path,
                                 const MotionParams& params,
                                 const JobContext& context);
 
-/// Positioner values of every target (unused entries 0), continuous over the operation.
+/// Targets of one bead, and where its travel moves end: [first, last] lie on the bead, the targets
+/// from `begin` to `first` approach it and those after `last` up to `end` leave it. The travel
+/// moves take the free choice of the bead's nearest end.
+struct Segment {
+  std::size_t begin = 0, first = 0, last = 0, end = 0;
+  std::size_t run = 0;
+};
+
+/// Runs are the targets between two joint moves: one branch of the arm for each.
+struct Runs {
+  std::vector<std::size_t> begins;  ///< of each run, then the number of targets
+  std::vector<Segment> segments;
+
+  [[nodiscard]] std::size_t count() const { return begins.size() - 1; }
+};
+
+Runs findRuns(const std::vector<Target>& targets);
+
+/// What is free at a target (DESIGN 9: rotation about the torch, positioner, tilt).
+struct FreeChoice {
+  double torchRotation = 0.0;  ///< third Bryant angle of the tool frame or of the part (A18), rad
+  PositionerValues positioner{};  ///< controller values, continuous inside a run
+  double lead = 0.0;              ///< tilt towards the travel direction, rad
+  double lateral = 0.0;           ///< tilt to the left of it, rad
+};
+
+/// What a mode gives: the free choice of each target and the branch of each run.
+struct Resolution {
+  std::vector<FreeChoice> choices;
+  std::vector<cell::Branch> branches;
+};
+
+/// Positioner values of every target that turn `up` to the vertical as far as they can (unused
+/// entries 0), continuous over the operation.
 struct Positioning {
-  std::vector<std::array<double, 2>> joints;
+  std::vector<PositionerValues> joints;
   std::vector<double> residual;  ///< angle between up and the vertical, rad
 };
 
@@ -40,13 +77,36 @@ Positioning positionPart(const Cell& cell,
                          const std::vector<Target>& targets,
                          int family,
                          const JobContext& context);
+/// Angle between the vertical and `up` (part frame) at given positioner values; 0 when the robot
+/// carries the part.
+double verticalError(const Cell& cell, const Vec3& up, const PositionerValues& positioner);
 
-/// Flange pose that puts the tool on a target; sets the pose of the tool in the part too.
-geometry::Pose flangePose(const Cell& cell,
-                          const Target& target,
-                          const std::array<double, 2>& positioner,
-                          double torchRotation,
-                          geometry::Pose* T_part_tcp);
+/// What all modes work on.
+struct Task {
+  const Cell& cell;
+  const MotionParams& params;
+  std::vector<Target> targets;
+  Runs runs;
+  /// Gravity-aligned references: two where the positioner has two ways, else one; [0] also when the
+  /// robot carries the part (all zero).
+  std::vector<Positioning> aligned;
+};
+
+// Poses (poses.cpp).
+
+/// The tool axis of a target with lead and lateral tilt, part frame.
+Vec3 tiltedAxis(const Target& target, double lead, double lateral);
+/// The flange for a tool axis, from the pose of the part.
+Pose flangePose(const Cell& cell, const Target& target, const FreeChoice& choice, Pose* T_part_tcp);
+
+/// What the inverse kinematics told about a waypoint, for the findings.
+struct PointState {
+  float wristSine = 1.0F;
+  float elbowSine = 1.0F;
+  float axisDistance = 0.0F;
+  float dexterity = 1.0F;
+  double missing = 0.0;
+};
 
 /// How good a branch is over all targets, compared in this order: points out of reach, points
 /// outside limits, enough margin to the limits, usual posture (shoulder to the front, elbow up: the
@@ -61,36 +121,50 @@ struct BranchScore {
 };
 
 using BranchScores = std::array<BranchScore, cell::Branch::kCount>;
-BranchScores scoreBranches(const Cell& cell,
-                           const std::vector<Target>& targets,
-                           const Positioning& positioning,
-                           const MotionParams& params,
+BranchScores scoreBranches(const Task& task,
+                           const std::vector<FreeChoice>& choices,
                            const JobContext& context);
+/// The best branch that the parameters allow, the same for all runs.
+std::vector<cell::Branch> oneBranch(const Task& task,
+                                    const std::vector<FreeChoice>& choices,
+                                    const JobContext& context,
+                                    BranchScore* score = nullptr);
+bool mayUse(const MotionParams& params, int branch);
 
-/// What the inverse kinematics told about a waypoint, for the findings.
-struct PointState {
-  float wristSine = 1.0F;
-  float elbowSine = 1.0F;
-  float axisDistance = 0.0F;
-  float dexterity = 1.0F;
-  double missing = 0.0;
+/// Joints of all waypoints: inverse kinematics in each run's branch, full turns inside the limits
+/// and with the least motion between runs. `states` may be null.
+Motion solveMotion(const Task& task,
+                   const Resolution& resolution,
+                   const JobContext& context,
+                   std::vector<PointState>* states = nullptr);
+
+/// A mode's answer with its joints and their worth.
+struct Candidate {
+  RedundancyMode mode = RedundancyMode::Constant;
+  Resolution resolution;
+  Motion motion;
+  Evaluation evaluation;
 };
 
-/// Joints of all waypoints in one branch, unwrapped.
-void solveBranch(const Cell& cell,
-                 const std::vector<Target>& targets,
-                 const Positioning& positioning,
-                 cell::Branch branch,
-                 const MotionParams& params,
-                 const JobContext& context,
-                 Motion& motion,
-                 std::vector<PointState>& states);
+Candidate makeCandidate(const Task& task,
+                        RedundancyMode mode,
+                        Resolution resolution,
+                        const JobContext& context,
+                        const collision::Clearance* clearance);
+
+// Evaluation (evaluation.cpp).
+
+/// Time in which a joint whose acceleration the cell file does not tell reaches its greatest speed,
+/// and that acceleration its jerk, s: a usual figure of 6-axis robots of this size.
+inline constexpr double kRampTime = 0.25;
+double accelerationScale(const cell::Joint& joint);
+double jerkScale(const cell::Joint& joint);
+std::vector<float> clearanceOf(const Motion& motion, const collision::Clearance& clearance);
 
 /// Collects findings per bead and adds them in order.
 void reportFindings(const Cell& cell,
                     const Motion& motion,
                     const std::vector<PointState>& states,
-                    const Positioning& positioning,
                     const MotionParams& params,
                     const std::string& operationId,
                     const JobContext& context);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "wcam/cell/angles.hpp"
 #include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/positioner.hpp"
 #include "wcam/cell/unwrap.hpp"
@@ -20,15 +19,7 @@ namespace {
 constexpr double kKeepStill = 1e-9;
 constexpr std::size_t kCheckEvery = 1024;
 
-using Values = std::array<double, 2>;
-
-/// Angle between the vertical and `up` at given positioner values.
-double residualAt(const Cell& cell, const Vec3& up, const Values& q) {
-  const Vec3 v =
-      cell::chainPose(cell.positioner, q.data()).linear() * (cell.T_table_part.linear() * up);
-  const Vec3 vertical = cell.verticalInBase();
-  return std::atan2(v.cross(vertical).norm(), v.dot(vertical));
-}
+using Values = PositionerValues;
 
 Values unwrapped(const Cell& cell, const Values& q, const Values& previous) {
   Values result = q;
@@ -84,7 +75,7 @@ public:
 
   Values next(const Vec3& up, double* residual) {
     const cell::PositionerResult result = cell::alignToVertical(cell_, up, previous_);
-    const double still = started_ ? residualAt(cell_, up, previous_) : 0.0;
+    const double still = started_ ? verticalError(cell_, up, previous_) : 0.0;
     if (started_ && still <= result.solutions[0].residual + kKeepStill) {
       *residual = still;
       return previous_;
@@ -135,28 +126,14 @@ Positioning positionPart(const Cell& cell,
   return result;
 }
 
-geometry::Pose flangePose(const Cell& cell,
-                          const Target& target,
-                          const std::array<double, 2>& positioner,
-                          double torchRotation,
-                          geometry::Pose* T_part_tcp) {
-  using geometry::Pose;
+double verticalError(const Cell& cell, const Vec3& up, const PositionerValues& positioner) {
   if (cell.partCarried()) {
-    // Chalvin A18a and A20: the part's axis onto the torch's, the point onto the deposition point.
-    const Eigen::Matrix3d torch = cell.T_base_tcp.linear();
-    Pose T_base_part = Pose::Identity();
-    T_base_part.linear() = torch * cell::axisToVertical(target.axis, torchRotation);
-    T_base_part.translation() = cell.T_base_tcp.translation() - T_base_part.linear() * target.p;
-    *T_part_tcp = T_base_part.inverse() * cell.T_base_tcp;
-    return T_base_part * (cell.T_flange_table * cell.T_table_part).inverse();
+    return 0.0;
   }
-  // Chalvin A22 and A18b.
-  const Pose T_base_part = cell::chainPose(cell.positioner, positioner.data()) * cell.T_table_part;
-  Pose T_base_tcp = Pose::Identity();
-  T_base_tcp.linear() = cell::frameWithZ(T_base_part.linear() * target.axis, torchRotation);
-  T_base_tcp.translation() = T_base_part * target.p;
-  *T_part_tcp = T_base_part.inverse() * T_base_tcp;
-  return T_base_tcp * cell.T_flange_tcp.inverse();
+  const Vec3 v = cell::chainPose(cell.positioner, positioner.data()).linear() *
+                 (cell.T_table_part.linear() * up);
+  const Vec3 vertical = cell.verticalInBase();
+  return std::atan2(v.cross(vertical).norm(), v.dot(vertical));
 }
 
 }  // namespace wcam::motion::detail

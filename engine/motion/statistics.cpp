@@ -5,10 +5,12 @@
 #include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/unwrap.hpp"
 
+#include "cell_model.hpp"
 #include "plan_detail.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace wcam::motion {
 
@@ -55,11 +57,15 @@ MotionStatistics motionStatistics(const Motion& motion,
   statistics.joints.resize(static_cast<std::size_t>(cell.jointCount()));
   const std::vector<Waypoint>& waypoints = motion.waypoints;
   std::vector<double> dexterity(waypoints.size(), 1.0);
+  // The quick model is of arms with a closed form only.
+  const std::optional<detail::CellModel> model =
+      cell.arm ? std::make_optional<detail::CellModel>(cell) : std::nullopt;
   parallelFor(
       waypoints.size(), kGrain,
       [&](std::size_t i) {
         if (waypoints[i].reachable) {
-          dexterity[i] = cell::dexterity(cell, waypoints[i].joints);
+          dexterity[i] = model ? model->armState(waypoints[i].joints).dexterity
+                               : cell::dexterity(cell, waypoints[i].joints);
         }
       },
       context);

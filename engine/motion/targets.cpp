@@ -113,15 +113,28 @@ Target targetAt(const PathPoint& point, int layer, int bead) {
   target.p = point.p;
   target.axis = point.axis;
   target.up = point.up;
+  target.along = point.t;
   target.waypoint.layer = layer;
   target.waypoint.bead = bead;
   return target;
 }
 
+/// A bead with its place in the operation.
+struct Placed {
+  const Bead* bead;
+  int layer;
+  int index;
+};
+
 /// A move with the arc off, by an offset from a bead's end.
-Target travelAt(
-    const PathPoint& point, const Vec3& offset, MoveKind kind, int layer, int bead, double speed) {
-  Target target = targetAt(point, layer, bead);
+Target travelAt(const PathPoint& point,
+                const Vec3& offset,
+                MoveKind kind,
+                const Placed& placed,
+                std::size_t deposited,
+                double speed) {
+  Target target = targetAt(point, placed.layer, placed.index);
+  target.waypoint.deposited = deposited;
   target.p += offset;
   target.waypoint.kind = kind;
   target.waypoint.speed = speed;
@@ -135,26 +148,25 @@ Vec3 liftOffset(Deposit& deposit, const PathPoint& point, const Vec3& base, doub
   return base + point.up * std::max(missing, 0.0);
 }
 
-void addBead(
-    const Bead& bead, int layer, int index, double travelSpeed, std::vector<Target>& targets) {
+void addBead(const Bead& bead,
+             int layer,
+             int index,
+             double travelSpeed,
+             std::size_t deposited,
+             std::vector<Target>& targets) {
   for (std::size_t i = 0; i < bead.points.size(); ++i) {
     const PathPoint& point = bead.points[i];
     const bool travels = i == 0 || point.zone == toolpath::BeadZone::Wipe;
     Target target = targetAt(point, layer, index);
     target.waypoint.point = static_cast<int>(i);
+    // The point itself lies under the arc: what is before it stands.
+    target.waypoint.deposited = deposited + i;
     target.waypoint.arc = i > 0 && point.arc;
     target.waypoint.speed = travels ? travelSpeed : point.speed;
     target.waypoint.wireSpeed = target.waypoint.arc ? point.wireSpeed : 0.0;
     targets.push_back(target);
   }
 }
-
-/// A bead with its place in the operation.
-struct Placed {
-  const Bead* bead;
-  int layer;
-  int index;
-};
 
 std::vector<Placed> beadsInOrder(const toolpath::Toolpath& path) {
   std::vector<Placed> beads;
@@ -199,29 +211,60 @@ std::vector<Target> makeTargets(const toolpath::Toolpath& path,
   const double travel = params.travelSpeed.value();
   const std::vector<Placed> beads = beadsInOrder(path);
   bool linked = false;
+  std::size_t deposited = 0;
   for (std::size_t i = 0; i < beads.size(); ++i) {
     context.check();
-    const auto& [bead, layer, index] = beads[i];
+    const Placed& placed = beads[i];
+    const Bead* bead = placed.bead;
+    const auto travelTo = [&](const PathPoint& point, const Vec3& offset, MoveKind kind) {
+      targets.push_back(travelAt(point, offset, kind, placed, deposited, travel));
+    };
     const PathPoint& first = bead->points.front();
     const PathPoint& last = bead->points.back();
     const Vec3 before = first.axis * params.approachHeight.value();
     if (!linked) {
       const Vec3 above = liftOffset(deposit, first, before, params.safeHeight.value());
-      targets.push_back(travelAt(first, above, MoveKind::Joint, layer, index, travel));
+      travelTo(first, above, MoveKind::Joint);
     }
-    targets.push_back(travelAt(first, before, MoveKind::Linear, layer, index, travel));
-    addBead(*bead, layer, index, travel, targets);
+    travelTo(first, before, MoveKind::Linear);
+    addBead(*bead, placed.layer, placed.index, travel, deposited, targets);
     deposit.add(*bead);
+    deposited += bead->points.size();
     const Vec3 after = last.axis * params.approachHeight.value();
-    targets.push_back(travelAt(last, after, MoveKind::Linear, layer, index, travel));
+    travelTo(last, after, MoveKind::Linear);
     linked = i + 1 < beads.size() &&
              linksDirectly(deposit, last, beads[i + 1].bead->points.front(), params);
     if (!linked) {
       const Vec3 away = liftOffset(deposit, last, after, params.safeHeight.value());
-      targets.push_back(travelAt(last, away, MoveKind::Linear, layer, index, travel));
+      travelTo(last, away, MoveKind::Linear);
     }
   }
   return targets;
+}
+
+Runs findRuns(const std::vector<Target>& targets) {
+  Runs runs;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Waypoint& point = targets[i].waypoint;
+    if (i == 0 || point.kind == MoveKind::Joint) {
+      runs.begins.push_back(i);
+    }
+    const bool newBead = i == 0 || point.layer != targets[i - 1].waypoint.layer ||
+                         point.bead != targets[i - 1].waypoint.bead;
+    if (newBead) {
+      runs.segments.push_back({i, i, i, i, runs.begins.size() - 1});
+    }
+    Segment& segment = runs.segments.back();
+    if (point.point == 0) {
+      segment.first = i;
+    }
+    if (point.point >= 0) {
+      segment.last = i;
+    }
+    segment.end = i + 1;
+  }
+  runs.begins.push_back(targets.size());
+  return runs;
 }
 
 }  // namespace wcam::motion::detail

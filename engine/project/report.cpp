@@ -207,7 +207,17 @@ void addMotion(Value& report, const OperationResult& result) {
       .set("max_joint_speed_ratio", s.maxJointSpeedRatio)
       .set("max_vertical_error_deg", radToDeg(s.maxVerticalError))
       .set("unreachable_points", s.unreachableWaypoints)
-      .set("branch", s.branch);
+      .set("branch", s.branch)
+      .set("redundancy", s.mode)
+      .set("max_cable_twist_deg", radToDeg(s.maxCableTwist))
+      .set("max_tilt_deg", radToDeg(s.maxTilt))
+      .set("objective", s.evaluation.cost);
+  Value objectives = Value::object({});
+  for (std::size_t k = 0; k < motion::kObjectiveCount; ++k) {
+    objectives.set(motion::objectiveKey(static_cast<motion::Objective>(k)),
+                   s.evaluation.objectives[k]);
+  }
+  report.set("objectives", objectives);
   Value joints = Value::array();
   for (std::size_t j = 0; j < s.joints.size(); ++j) {
     joints.push(jointValue(result.cell->joint(static_cast<int>(j)), s.joints[j]));

@@ -79,7 +79,9 @@ TEST(Findings, partlyUnreachablePath) {
     points.emplace_back(5.0 * i, 0, 0);
   }
   JobContext context;
-  const PlannedMotion planned = planMotion(beadOf(points, 10), cell, {}, "op", context);
+  MotionParams params;
+  params.mode = RedundancyMode::Constant;  // the table could bring all of it into reach
+  const PlannedMotion planned = planMotion(beadOf(points, 10), cell, params, "op", context);
   const auto d = first(context, "motion.unreachable");
   ASSERT_TRUE(d);
   EXPECT_GT(dataOf(*d, "points"), 1);
@@ -92,6 +94,7 @@ TEST(Findings, jointLimitNamesJointAndExcess) {
   cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   cell.robot.joints[0].max = degToRad(10);  // the table stands at about 41°
   MotionParams params;
+  params.mode = RedundancyMode::Constant;
   params.branch = BranchChoice::Nut;
   JobContext context;
   const PlannedMotion planned =
@@ -130,6 +133,7 @@ TEST(Findings, wristSingularityAlongThePath) {
   }
   path.layers[0].beads.push_back(bead);
   MotionParams params;
+  params.mode = RedundancyMode::Constant;
   params.branch = BranchChoice::Nut;
   JobContext context;
   const PlannedMotion planned = planMotion(path, cell, params, "op", context);

@@ -66,4 +66,57 @@ inline toolpath::Toolpath leaningCircles(int layers, double radius, int points, 
   return path;
 }
 
+/// Hollow hemisphere in iso-parametric layers of constant distance (Chalvin A7, Eq. 2.5), the tool
+/// axis along the meridian but never inclined by more than 50° (A16c corrected).
+inline toolpath::Toolpath hemisphere(double radius, double step, int points, double speed = 6.0) {
+  toolpath::Toolpath path;
+  const double perLayer = 2.0 * std::asin(step / (2.0 * radius));
+  const double steepest = degToRad(50.0);
+  for (double u = 0.0; u < kPi / 2; u += perLayer) {
+    toolpath::Layer layer;
+    layer.level = radius * std::sin(u);
+    toolpath::Bead bead;
+    bead.closed = true;
+    const double lean = std::min(u, steepest);
+    for (int i = 0; i <= points; ++i) {
+      const double a = 2 * kPi * (i % points) / points;
+      const Vec3 out(std::cos(a), std::sin(a), 0);
+      toolpath::PathPoint point;
+      point.t = Vec3(-std::sin(a), std::cos(a), 0);
+      point.p = radius * (std::cos(u) * out + std::sin(u) * Vec3::UnitZ());
+      point.n = std::cos(u) * out + std::sin(u) * Vec3::UnitZ();
+      point.b = -std::sin(u) * out + std::cos(u) * Vec3::UnitZ();
+      point.axis = -std::sin(lean) * out + std::cos(lean) * Vec3::UnitZ();
+      point.up = point.b;
+      point.height = step;
+      point.speed = speed;
+      point.wireSpeed = 80.0;
+      bead.points.push_back(point);
+    }
+    layer.beads.push_back(std::move(bead));
+    path.layers.push_back(std::move(layer));
+  }
+  return path;
+}
+
+/// A bead on a circle in the plane z = centre.z: so many points evenly over the turn, from an
+/// angle on; the last one lies a step before the first.
+inline toolpath::Toolpath circleFrom(
+    double radius, int points, const Vec3& centre, double startAngle, double speed = 10.0) {
+  toolpath::Toolpath path;
+  toolpath::Bead bead;
+  for (int i = 0; i < points; ++i) {
+    const double a = startAngle + 2 * kPi * i / points;
+    toolpath::PathPoint point;
+    point.n = Vec3(std::cos(a), std::sin(a), 0);
+    point.t = Vec3(-std::sin(a), std::cos(a), 0);
+    point.p = centre + radius * point.n;
+    point.speed = speed;
+    bead.points.push_back(point);
+  }
+  path.layers.emplace_back();
+  path.layers[0].beads.push_back(std::move(bead));
+  return path;
+}
+
 }  // namespace wcam::motion::test

@@ -146,8 +146,10 @@ TEST(PlanMotion, leaningLayersAreTurnedUpright) {
 TEST(PlanMotion, oneBranchForTheWholeOperation) {
   const cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   const toolpath::Toolpath path = leaningCircles(8, 20, 40, 6.0);
+  MotionParams params;
+  params.mode = RedundancyMode::Constant;
   JobContext context;
-  const PlannedMotion planned = planMotion(path, cell, {}, "op", context);
+  const PlannedMotion planned = planMotion(path, cell, params, "op", context);
   for (const Waypoint& w : planned.motion.waypoints) {
     ASSERT_EQ(cell::branchOf(*cell.arm, w.joints.data()).name(), planned.statistics.branch);
   }
@@ -172,6 +174,7 @@ TEST(PlanMotion, rotationAboutTheTorchTurnsTheToolOnly) {
   const cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   const toolpath::Toolpath path = circles(1, 30, 20, geometry::Vec3::Zero());
   MotionParams params;
+  params.mode = RedundancyMode::Constant;
   JobContext context;
   const PlannedMotion a = planMotion(path, cell, params, "op", context);
   params.torchRotation = Angle(degToRad(25));

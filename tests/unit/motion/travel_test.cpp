@@ -18,8 +18,10 @@ using test::circles;
 using test::leaningCircles;
 using test::shippedCell;
 
-PlannedMotion plan(const toolpath::Toolpath& path, const MotionParams& params = {}) {
+/// Where the torch goes does not depend on how the redundancy is resolved.
+PlannedMotion plan(const toolpath::Toolpath& path, MotionParams params = {}) {
   const cell::Cell cell = shippedCell("fanuc_arcmate120ic");
+  params.mode = RedundancyMode::Constant;
   return planMotion(path, cell, params, "op", JobContext());
 }
 

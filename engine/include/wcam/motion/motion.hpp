@@ -4,7 +4,9 @@
 
 #include "wcam/cell/joints.hpp"
 #include "wcam/geometry/types.hpp"
+#include "wcam/motion/objective.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,12 @@ struct Waypoint {
   /// False where the robot cannot come: joints then hold the arm stretched towards the point (or
   /// the joints before it), and the TCP is not at T_part_tcp.
   bool reachable = true;
+  /// How many points of the toolpath (all layers and beads, in order) are deposited when the torch
+  /// is here.
+  std::size_t deposited = 0;
+  double verticalError = 0.0;       ///< angle between the point's up and the vertical, rad
+  double leastVerticalError = 0.0;  ///< the same with the positioner's axes at their best, rad
+  double tilt = 0.0;  ///< angle between the tool axis and the toolpath's one (lead, lateral), rad
 };
 
 /// The motion of one operation.
@@ -71,7 +79,11 @@ struct MotionStatistics {
       0.0;  ///< angle between a point's up and the vertical, torch carried, rad
   std::size_t unreachableWaypoints = 0;
   std::vector<Reversal> reversals;  ///< of all joints, in order
-  std::string branch;               ///< "NUT" …, see cell::Branch
+  std::string branch;  ///< "NUT" …, see cell::Branch; "NUT/FUT" when it changes between beads
+  std::string mode;    ///< the redundancy mode that made the motion, see RedundancyMode
+  double maxCableTwist = 0.0;  ///< greatest |J4 + J6| from the cable's zero while on beads, rad
+  double maxTilt = 0.0;        ///< greatest lead and lateral tilt added to the toolpath's axis, rad
+  Evaluation evaluation;       ///< objectives and broken constraints, see evaluateMotion
 };
 
 /// What planMotion returns.

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joints from free choices: with search_states.cpp the only place that calls inverse kinematics.
 
 #include "wcam/base/parallel.hpp"
-#include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/unwrap.hpp"
 
 #include "plan_detail.hpp"
+#include "turns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +52,7 @@ void addToScore(const Cell& cell, const IkSolution& solution, BranchScore& score
 }
 
 /// True when the positioner's own values lie outside their limits: counts for every branch.
-bool positionerOutside(const Cell& cell, const std::array<double, 2>& values) {
+bool positionerOutside(const Cell& cell, const PositionerValues& values) {
   for (int j = 0; j < cell.positionerJoints(); ++j) {
     if (cell::limitExcess(cell.joint(cell.robotJoints() + j), values[static_cast<std::size_t>(j)]) >
         0.0) {
@@ -78,7 +80,7 @@ BranchScores emptyScores() {
 /// Joints of a target in the cell's order.
 JointVector cellJoints(const Cell& cell,
                        const cell::Vector6& robot,
-                       const std::array<double, 2>& positioner) {
+                       const PositionerValues& positioner) {
   JointVector q(cell.jointCount());
   q.head<6>() = robot;
   for (int j = 0; j < cell.positionerJoints(); ++j) {
@@ -96,59 +98,30 @@ PointState stateOf(const IkSolution& solution) {
   return state;
 }
 
-/// Follows full turns point by point from `begin` to `end`, then moves each joint of this run by
-/// whole turns so that the run lies inside its limits and nearest to where the run before ended.
-void unwrapRun(const Cell& cell, Motion& motion, std::size_t begin, std::size_t end) {
-  std::vector<Waypoint>& points = motion.waypoints;
-  for (int j = 0; j < cell.robotJoints(); ++j) {
-    if (!cell::periodicJoint(cell, j)) {
-      continue;
-    }
-    const cell::Joint& joint = cell.joint(j);
-    double low = points[begin].joints(j);
-    double high = low;
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      points[i].joints(j) = cell::nearestTurn(points[i].joints(j), points[i - 1].joints(j));
-      low = std::min(low, points[i].joints(j));
-      high = std::max(high, points[i].joints(j));
-    }
-    const double before = begin > 0 ? points[begin - 1].joints(j) : 0.0;
-    const double first = points[begin].joints(j);
-    // The run as one interval: it fits where its first value may lie between these bounds.
-    cell::Joint room = joint;
-    room.min = joint.min + (first - low);
-    room.max = joint.max - (high - first);
-    double start = cell::nearestTurn(first, before);
-    if (room.min <= room.max) {
-      start = cell::turnInLimits(room, first, before);
-    } else {
-      // It does not fit at all: share the excess between both sides.
-      start = cell::nearestTurn(first, 0.5 * (room.min + room.max));
-    }
-    const double shift = start - first;
-    for (std::size_t i = begin; i < end && shift != 0.0; ++i) {
-      points[i].joints(j) += shift;
-    }
+/// The run of each target.
+std::vector<std::size_t> runOfTargets(const Runs& runs) {
+  std::vector<std::size_t> run(runs.begins.back());
+  for (std::size_t r = 0; r < runs.count(); ++r) {
+    std::fill(run.begin() + static_cast<std::ptrdiff_t>(runs.begins[r]),
+              run.begin() + static_cast<std::ptrdiff_t>(runs.begins[r + 1]), r);
   }
+  return run;
 }
 
 /// Solves again, in order, the points that a wrist or shoulder singularity left open.
-void closeSingularPoints(const Cell& cell,
-                         const std::vector<Target>& targets,
-                         const Positioning& positioning,
-                         Branch branch,
-                         const MotionParams& params,
+void closeSingularPoints(const Task& task,
+                         const Resolution& resolution,
+                         const std::vector<std::size_t>& run,
                          const std::vector<char>& open,
                          Motion& motion) {
   for (std::size_t i = 1; i < open.size(); ++i) {
     if (open[i] == 0) {
       continue;
     }
-    geometry::Pose T_part_tcp;
-    const geometry::Pose flange = flangePose(cell, targets[i], positioning.joints[i],
-                                             params.torchRotation.value(), &T_part_tcp);
-    const IkSolution solution =
-        cell::inverseArm(*cell.arm, flange, branch, motion.waypoints[i - 1].joints.data());
+    Pose T_part_tcp;
+    const Pose flange = flangePose(task.cell, task.targets[i], resolution.choices[i], &T_part_tcp);
+    const IkSolution solution = cell::inverseArm(
+        *task.cell.arm, flange, resolution.branches[run[i]], motion.waypoints[i - 1].joints.data());
     motion.waypoints[i].joints.head<6>() = solution.joints;
   }
 }
@@ -172,22 +145,24 @@ bool BranchScore::betterThan(const BranchScore& other) const {
   return margin > other.margin;
 }
 
-BranchScores scoreBranches(const Cell& cell,
-                           const std::vector<Target>& targets,
-                           const Positioning& positioning,
-                           const MotionParams& params,
+bool mayUse(const MotionParams& params, int branch) {
+  return params.branch == BranchChoice::Auto || static_cast<int>(params.branch) - 1 == branch;
+}
+
+BranchScores scoreBranches(const Task& task,
+                           const std::vector<FreeChoice>& choices,
                            const JobContext& context) {
-  std::vector<BranchScores> parts((targets.size() + kGrain - 1) / kGrain, emptyScores());
+  const Cell& cell = task.cell;
+  std::vector<BranchScores> parts((choices.size() + kGrain - 1) / kGrain, emptyScores());
   parallelForChunks(
-      targets.size(), kGrain,
+      choices.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
         BranchScores& scores = parts[begin / kGrain];
         for (std::size_t i = begin; i < end; ++i) {
-          geometry::Pose T_part_tcp;
-          const geometry::Pose flange = flangePose(cell, targets[i], positioning.joints[i],
-                                                   params.torchRotation.value(), &T_part_tcp);
+          Pose T_part_tcp;
+          const Pose flange = flangePose(cell, task.targets[i], choices[i], &T_part_tcp);
           const cell::IkResult result = cell::inverseArm(*cell.arm, flange);
-          const std::size_t outside = positionerOutside(cell, positioning.joints[i]) ? 1 : 0;
+          const std::size_t outside = positionerOutside(cell, choices[i].positioner) ? 1 : 0;
           for (std::size_t k = 0; k < result.size(); ++k) {
             addToScore(cell, result[k], scores[k]);
             scores[k].outsideLimits += outside;
@@ -204,49 +179,78 @@ BranchScores scoreBranches(const Cell& cell,
   return whole;
 }
 
-void solveBranch(const Cell& cell,
-                 const std::vector<Target>& targets,
-                 const Positioning& positioning,
-                 Branch branch,
-                 const MotionParams& params,
-                 const JobContext& context,
-                 Motion& motion,
-                 std::vector<PointState>& states) {
+std::vector<Branch> oneBranch(const Task& task,
+                              const std::vector<FreeChoice>& choices,
+                              const JobContext& context,
+                              BranchScore* score) {
+  const BranchScores scores = scoreBranches(task, choices, context);
+  int best = -1;
+  for (int k = 0; k < Branch::kCount; ++k) {
+    if (mayUse(task.params, k) && (best < 0 || scores[static_cast<std::size_t>(k)].betterThan(
+                                                   scores[static_cast<std::size_t>(best)]))) {
+      best = k;
+    }
+  }
+  if (score != nullptr) {
+    *score = scores[static_cast<std::size_t>(best)];
+  }
+  return std::vector<Branch>(task.runs.count(), Branch::fromIndex(best));
+}
+
+Motion solveMotion(const Task& task,
+                   const Resolution& resolution,
+                   const JobContext& context,
+                   std::vector<PointState>* states) {
+  const Cell& cell = task.cell;
+  const std::vector<Target>& targets = task.targets;
+  const std::vector<std::size_t> run = runOfTargets(task.runs);
+  Motion motion;
   motion.waypoints.resize(targets.size());
-  states.resize(targets.size());
+  if (states != nullptr) {
+    states->resize(targets.size());
+  }
   std::vector<char> open(targets.size(), 0);
   parallelFor(
       targets.size(), kGrain,
       [&](std::size_t i) {
         Waypoint& point = motion.waypoints[i];
+        const FreeChoice& choice = resolution.choices[i];
         point = targets[i].waypoint;
-        const geometry::Pose flange = flangePose(cell, targets[i], positioning.joints[i],
-                                                 params.torchRotation.value(), &point.T_part_tcp);
-        const IkSolution solution = cell::inverseArm(*cell.arm, flange, branch);
+        const Pose flange = flangePose(cell, targets[i], choice, &point.T_part_tcp);
+        const IkSolution solution =
+            cell::inverseArm(*cell.arm, flange, resolution.branches[run[i]]);
         point.reachable = solution.reachable;
-        point.joints = cellJoints(cell, solution.joints, positioning.joints[i]);
-        states[i] = stateOf(solution);
+        point.joints = cellJoints(cell, solution.joints, choice.positioner);
+        point.verticalError = verticalError(cell, targets[i].up, choice.positioner);
+        point.leastVerticalError = task.aligned[0].residual[i];
+        const Vec3 axis = point.T_part_tcp.linear().col(2);
+        point.tilt =
+            choice.lead == 0.0 && choice.lateral == 0.0
+                ? 0.0
+                : std::atan2(axis.cross(targets[i].axis).norm(), axis.dot(targets[i].axis));
         open[i] = solution.wristSingular || solution.shoulderSingular ? 1 : 0;
-      },
-      context);
-  closeSingularPoints(cell, targets, positioning, branch, params, open, motion);
-  std::size_t begin = 0;
-  for (std::size_t i = 1; i <= targets.size(); ++i) {
-    if (i == targets.size() || motion.waypoints[i].kind == MoveKind::Joint) {
-      context.check();
-      unwrapRun(cell, motion, begin, i);
-      begin = i;
-    }
-  }
-  parallelFor(
-      targets.size(), kGrain,
-      [&](std::size_t i) {
-        const Waypoint& point = motion.waypoints[i];
-        if (point.reachable) {
-          states[i].dexterity = static_cast<float>(cell::dexterity(cell, point.joints));
+        if (states != nullptr) {
+          (*states)[i] = stateOf(solution);
         }
       },
       context);
+  closeSingularPoints(task, resolution, run, open, motion);
+  chooseTurns(task, motion, context);
+  return motion;
+}
+
+Candidate makeCandidate(const Task& task,
+                        RedundancyMode mode,
+                        Resolution resolution,
+                        const JobContext& context,
+                        const collision::Clearance* clearance) {
+  Candidate candidate;
+  candidate.mode = mode;
+  candidate.motion = solveMotion(task, resolution, context);
+  candidate.resolution = std::move(resolution);
+  candidate.evaluation =
+      evaluateMotion(candidate.motion, task.cell, task.params, context, clearance);
+  return candidate;
 }
 
 }  // namespace wcam::motion::detail

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "modes.hpp"
+#include "refine.hpp"
+#include "search.hpp"
+
+#include <algorithm>
+
+namespace wcam::motion::detail {
+
+namespace {
+
+/// Rungs of the search at most: some seconds at 6912 states each.
+constexpr std::size_t kMostRungs = 8000;
+/// Point by point and polynomial are candidates up to this many targets: on longer paths they
+/// would take longer than everything else together.
+constexpr std::size_t kAllModesTargets = 2000;
+
+/// Both gauges are refined up to this many targets, else the better one.
+constexpr std::size_t kBothGaugesTargets = 4000;
+/// The table's samples are searched up to this many rungs (half a second each thousand), else only
+/// where the gravity-aligned reference alone does not keep all constraints.
+constexpr std::size_t kTableRungs = 1500;
+/// Searches with newly found collisions at most; each finds those of the path before.
+constexpr int kCollisionRounds = 12;
+/// Cost of a colliding state: below a state outside limits, above a singular one; and per
+/// kDepthUnit (mm) of depth.
+constexpr float kCollisionCost = 5e3F;
+constexpr float kDepthUnit = 10.0F;
+
+/// Clearance of all states of a rung as costs.
+std::vector<float> collisionCosts(const Task& task,
+                                  const SearchFrame& frame,
+                                  const Rung& rung,
+                                  const collision::Clearance& clearance) {
+  const Cell& cell = task.cell;
+  const StateBuilder builder(task, frame);
+  RungStates states;
+  builder.build(rung, states);
+  std::vector<collision::CellState> cellStates(states.cost.size());
+  for (std::size_t n = 0; n < cellStates.size(); ++n) {
+    const std::size_t table = n / kLanes;
+    cell::JointVector q(cell.jointCount());
+    for (int j = 0; j < 6; ++j) {
+      q(j) = static_cast<double>(states.row(j, table)[n % kLanes]);
+    }
+    for (int j = 0; j < cell.positionerJoints(); ++j) {
+      q(6 + j) = task.aligned[frame.family].joints[rung.target][static_cast<std::size_t>(j)];
+    }
+    if (cell.positionerJoints() > 0) {
+      q(cell.jointCount() - 1) = states.tableValues[table];
+    }
+    cellStates[n] = {q, task.targets[rung.target].waypoint.deposited};
+  }
+  std::vector<float> costs(cellStates.size());
+  clearance.evaluate(cellStates, costs);
+  for (float& cost : costs) {
+    cost = cost < 0.0F ? kCollisionCost * (1.0F - cost / kDepthUnit) : 0.0F;
+  }
+  return costs;
+}
+
+class Optimizer {
+public:
+  Optimizer(const Task& task, const JobContext& context, const collision::Clearance* clearance)
+      : task_(task), context_(context), clearance_(clearance) {}
+
+  Candidate run() {
+    best_ = candidate(RedundancyMode::Constant, resolveConstant(task_, context_));
+    for (int m = static_cast<int>(RedundancyMode::PointByPoint); m < kRedundancyModes; ++m) {
+      tryNamed(static_cast<RedundancyMode>(m));
+    }
+    context_.report(0.3);
+    for (std::size_t family = 0; family < task_.aligned.size(); ++family) {
+      tryFamily(family);
+    }
+    return best_;
+  }
+
+private:
+  Candidate candidate(RedundancyMode mode, Resolution resolution) const {
+    return makeCandidate(task_, mode, std::move(resolution), context_, clearance_);
+  }
+
+  void keep(Candidate&& candidate) {
+    if (candidate.evaluation.betterThan(best_.evaluation)) {
+      best_ = std::move(candidate);
+    }
+  }
+
+  void tryNamed(RedundancyMode mode) {
+    const bool slow = mode == RedundancyMode::PointByPoint || mode == RedundancyMode::Polynomial;
+    // Without a positioner there is nothing to keep at rest.
+    const bool same = mode == RedundancyMode::Fixed &&
+                      (task_.cell.partCarried() || task_.cell.positionerJoints() == 0);
+    if (!same && !lacksPositioner(mode, task_.cell) &&
+        !(slow && task_.targets.size() > kAllModesTargets)) {
+      keep(candidate(mode, resolveNamed(mode, task_, context_)));
+    }
+  }
+
+  /// Search and refinement from one gravity-aligned reference.
+  void tryFamily(std::size_t family) {
+    SearchFrame frame;
+    frame.family = family;
+    frame.rungs = chooseRungs(task_, family, kMostRungs);
+    frame.points = 0;
+    for (const Segment& segment : task_.runs.segments) {
+      frame.points += segment.last - segment.first + 1;
+    }
+    frame.moveTable = frame.rungs.size() <= kTableRungs;
+    if (!tryGauges(frame) && !frame.moveTable) {
+      frame.moveTable = true;
+      tryGauges(frame);
+    }
+  }
+
+  /// Search and refinement with both gauges of the torch rotation; true when all constraints hold.
+  bool tryGauges(SearchFrame& frame) {
+    std::vector<std::pair<RefineFrame, Candidate>> found;
+    for (const bool following : {false, true}) {
+      frame.gauge = following ? followingGauge(task_, frame.family) : constantGauge(task_);
+      bool tableFree = false;
+      Candidate own = searched(frame, &tableFree);
+      found.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
+      if (tableFree) {
+        break;  // the table can follow the path instead
+      }
+    }
+    context_.report(0.6);
+    const std::size_t better =
+        found.size() > 1 && found[1].second.evaluation.betterThan(found[0].second.evaluation) ? 1
+                                                                                              : 0;
+    bool feasible = false;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (k == better || task_.targets.size() <= kBothGaugesTargets) {
+        Candidate refined = refine(task_, found[k].first, found[k].second, context_, clearance_);
+        feasible = feasible || refined.evaluation.feasible();
+        keep(std::move(refined));
+      }
+    }
+    return feasible;
+  }
+
+  /// The graph search; with a clearance again until its path is free: only the states of rungs that
+  /// a path collides at are looked at.
+  Candidate searched(const SearchFrame& frame, bool* tableFree) const {
+    ExtraCosts extra;
+    Candidate best;
+    for (int round = 0; round < kCollisionRounds; ++round) {
+      const SearchPath path = searchGraph(task_, frame, extra, context_);
+      *tableFree = path.tableFree;
+      Candidate own = candidate(RedundancyMode::Optimized, resolutionOf(task_, frame, path));
+      const bool collides = own.evaluation.count(Constraint::Collision) > 0;
+      const bool more = collides && addCollisions(frame, own.motion, extra);
+      if (round == 0 || own.evaluation.betterThan(best.evaluation)) {
+        best = std::move(own);
+      }
+      if (!more) {
+        break;
+      }
+    }
+    return best;
+  }
+
+  /// Costs of the rungs beside colliding targets; false when all of them are known.
+  bool addCollisions(const SearchFrame& frame, const Motion& motion, ExtraCosts& extra) const {
+    const std::vector<float> distances = clearanceOf(motion, *clearance_);
+    bool added = false;
+    for (std::size_t r = 0; r < frame.rungs.size(); ++r) {
+      const Segment& segment = task_.runs.segments[frame.rungs[r].segment];
+      const std::size_t begin =
+          frame.rungs[r].firstOfSegment ? segment.begin : frame.rungs[r - 1].target + 1;
+      const bool last = frame.rungs[r].target == segment.last;
+      const std::size_t end = last ? segment.end : frame.rungs[r + 1].target;
+      bool collides = false;
+      for (std::size_t i = begin; i < end; ++i) {
+        collides = collides || distances[i] < 0.0F;
+      }
+      if (collides && extra.find(r) == extra.end()) {
+        context_.check();
+        extra[r] = collisionCosts(task_, frame, frame.rungs[r], *clearance_);
+        added = true;
+      }
+    }
+    return added;
+  }
+
+  const Task& task_;
+  const JobContext& context_;
+  const collision::Clearance* clearance_;
+  Candidate best_;
+};
+
+}  // namespace
+
+Candidate resolveOptimized(const Task& task,
+                           const JobContext& context,
+                           const collision::Clearance* clearance) {
+  return Optimizer(task, context, clearance).run();
+}
+
+}  // namespace wcam::motion::detail

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "search_states.hpp"
+
+#include "wcam/base/quantity.hpp"
+#include "wcam/cell/angles.hpp"
+#include "wcam/cell/unwrap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace wcam::motion::detail {
+
+namespace {
+
+constexpr double kTurn = 2.0 * kPi;
+constexpr double kTorchStep = kTurn / kTorchSamples;
+constexpr double kTableStep = kTurn / kTableSamples;
+/// A rung at the latest after this bend of the path, the tool axis or the positioner's reference.
+/// Half a torch sample: between rungs the samples then follow by at most one step.
+constexpr double kBend = 0.5 * kTorchStep;
+constexpr int kMaxCoarsening = 8;
+
+double angleBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+double referenceStep(const Positioning& aligned, std::size_t a, std::size_t b) {
+  return std::max(std::abs(aligned.joints[a][0] - aligned.joints[b][0]),
+                  std::abs(aligned.joints[a][1] - aligned.joints[b][1]));
+}
+
+/// Rungs of a segment with a given bend; `longest` bounds the way between rungs.
+void addRungs(const Task& task,
+              const Positioning& aligned,
+              std::size_t index,
+              double bend,
+              double longest,
+              std::vector<Rung>& rungs) {
+  const Segment& segment = task.runs.segments[index];
+  std::size_t last = segment.first;
+  double way = 0.0;
+  double time = 0.0;
+  for (std::size_t i = segment.first; i <= segment.last; ++i) {
+    const Target& target = task.targets[i];
+    const bool first = i == segment.first;
+    if (!first) {
+      const double step = (target.p - task.targets[i - 1].p).norm();
+      way += step;
+      time += target.waypoint.speed > 0.0 ? step / target.waypoint.speed : 0.0;
+    }
+    bool keep = first || i == segment.last || way >= longest;
+    if (!keep) {
+      // Looked at with the next target, so that the far side of a corner or jump is kept too.
+      const std::size_t next = i + 1;
+      keep = angleBetween(target.along, task.targets[last].along) >= bend ||
+             angleBetween(target.axis, task.targets[last].axis) >= bend ||
+             referenceStep(aligned, i, last) >= bend ||
+             angleBetween(target.along, task.targets[next].along) >= bend ||
+             referenceStep(aligned, i, next) >= bend;
+    }
+    if (keep) {
+      Rung rung;
+      rung.target = i;
+      rung.segment = index;
+      rung.steps = first ? 1 : i - last;
+      rung.time = time;
+      rung.firstOfSegment = first;
+      rung.firstOfRun = first && (index == 0 || task.runs.segments[index - 1].run != segment.run);
+      rungs.push_back(rung);
+      last = i;
+      way = 0.0;
+      time = 0.0;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Rung> chooseRungs(const Task& task, std::size_t family, std::size_t most) {
+  std::vector<Rung> rungs;
+  double bend = kBend;
+  // A straight line needs few states; a run of 1/20 of the reach moves the joints by a few degrees.
+  double longest = cell::armReach(*task.cell.arm) / 40.0;
+  for (int k = 0; k < kMaxCoarsening; ++k) {
+    rungs.clear();
+    for (std::size_t s = 0; s < task.runs.segments.size(); ++s) {
+      addRungs(task, task.aligned[family], s, bend, longest, rungs);
+    }
+    if (rungs.size() <= most) {
+      break;
+    }
+    bend *= 1.5;
+    longest *= 1.5;
+  }
+  return rungs;
+}
+
+StateBuilder::StateBuilder(const Task& task, const SearchFrame& frame)
+    : task_(task),
+      frame_(frame),
+      hasTable_(!task.cell.partCarried() && task.cell.positionerJoints() > 0) {}
+
+double StateBuilder::tableStep() const {
+  return kTableStep;
+}
+
+FreeChoice StateBuilder::choice(std::size_t target, double tableOffset, double torchSample) const {
+  FreeChoice choice;
+  choice.torchRotation = frame_.gauge[target] + torchSample * kTorchStep;
+  choice.positioner = task_.aligned[frame_.family].joints[target];
+  if (hasTable_) {
+    choice.positioner[static_cast<std::size_t>(task_.cell.positionerJoints() - 1)] += tableOffset;
+  }
+  return choice;
+}
+
+/// Table samples that keep the build direction within the tolerance, and the reference itself.
+void StateBuilder::chooseTables(const Rung& rung, RungStates& states) const {
+  states.tables.clear();
+  states.tableValues.clear();
+  const Positioning& aligned = task_.aligned[frame_.family];
+  const auto last = static_cast<std::size_t>(std::max(task_.cell.positionerJoints() - 1, 0));
+  const double reference = aligned.joints[rung.target][last];
+  const double allowed = aligned.residual[rung.target] + task_.params.verticalTolerance.value();
+  for (int k = -kTableSamples / 2; k < kTableSamples / 2; ++k) {
+    const double value = reference + k * kTableStep;
+    if (k != 0) {
+      if (!hasTable_ || !frame_.moveTable ||
+          cell::limitExcess(task_.cell.joint(task_.cell.jointCount() - 1), value) > 0.0) {
+        continue;
+      }
+      PositionerValues values = aligned.joints[rung.target];
+      values[last] = value;
+      if (verticalError(task_.cell, task_.targets[rung.target].up, values) > allowed) {
+        continue;
+      }
+    }
+    states.tables.push_back(k);
+    states.tableValues.push_back(value);
+  }
+}
+
+void StateBuilder::build(const Rung& rung, RungStates& states) const {
+  chooseTables(rung, states);
+  const std::size_t tables = states.tables.size();
+  for (int r = 0; r < kSearchRows; ++r) {
+    const bool used = r < 6 || task_.params.cableLimit.value() > 0.0;
+    states.rows[r].resize(used ? tables * 2 * kLanes : 0);
+  }
+  states.cost.assign(tables * kLanes, 0.0F);
+  solve(rung, states);
+  for (std::size_t table = 0; table < tables; ++table) {
+    addCosts(rung, table, states);
+  }
+  addTravel(rung, states);
+}
+
+namespace {
+
+/// Cosine and sine of each torch sample.
+std::vector<geometry::Vec2> sampleTurns() {
+  std::vector<geometry::Vec2> turns;
+  for (int k = 0; k < kTorchSamples; ++k) {
+    turns.emplace_back(std::cos(k * kTorchStep), std::sin(k * kTorchStep));
+  }
+  return turns;
+}
+
+}  // namespace
+
+/// Inverse kinematics of all states in blocks.
+void StateBuilder::solve(const Rung& rung, RungStates& states) const {
+  using cell::Branch;
+  const cell::Cell& cell = task_.cell;
+  const Target& target = task_.targets[rung.target];
+  // About 80 kB that would not fit every stack.
+  thread_local const auto poses = std::make_unique<cell::PoseBlock>();
+  thread_local const auto joints = std::make_unique<cell::JointBlock>();
+  const std::size_t total = states.tables.size() * kTorchSamples;
+  const Pose T_tcp_flange = cell.T_flange_tcp.inverse();
+  Pose fan = Pose::Identity();
+  Pose fanTool = Pose::Identity();
+  static const std::vector<geometry::Vec2> turns = sampleTurns();
+  for (std::size_t begin = 0; begin < total; begin += cell::PoseBlock::kSize) {
+    const int count =
+        static_cast<int>(std::min<std::size_t>(cell::PoseBlock::kSize, total - begin));
+    for (int n = 0; n < count; ++n) {
+      const std::size_t pose = begin + static_cast<std::size_t>(n);
+      const std::size_t table = pose / kTorchSamples;
+      const std::size_t sample = pose % kTorchSamples;
+      if (sample == 0 || n == 0 || cell.partCarried()) {
+        Pose T_part_tcp;
+        const FreeChoice own = choice(rung.target, states.tables[table] * kTableStep,
+                                      cell.partCarried() ? static_cast<double>(sample) : 0.0);
+        fan = flangePose(cell, target, own, &T_part_tcp);
+        // Torch carried: the other samples turn it about the tool axis.
+        fanTool = fan * cell.T_flange_tcp;
+      }
+      if (cell.partCarried()) {
+        poses->set(n, fan);
+      } else {
+        Eigen::Matrix3d turned;
+        turned.col(0) = turns[sample].x() * fanTool.linear().col(0) +
+                        turns[sample].y() * fanTool.linear().col(1);
+        turned.col(1) = turns[sample].x() * fanTool.linear().col(1) -
+                        turns[sample].y() * fanTool.linear().col(0);
+        turned.col(2) = fanTool.linear().col(2);
+        Pose flange = Pose::Identity();
+        flange.linear() = turned * T_tcp_flange.linear();
+        flange.translation() = fanTool.translation() + turned * T_tcp_flange.translation();
+        poses->set(n, flange);
+      }
+    }
+    cell::inverseBlock(*cell.arm, *poses, count, *joints);
+    for (int n = 0; n < count; ++n) {
+      const std::size_t pose = begin + static_cast<std::size_t>(n);
+      const std::size_t at =
+          pose / kTorchSamples * 2 * kLanes + pose % kTorchSamples * Branch::kCount;
+      const std::size_t costAt = pose * Branch::kCount;
+      for (std::size_t b = 0; b < Branch::kCount; ++b) {
+        for (std::size_t j = 0; j < 6; ++j) {
+          states.rows[j][at + b] = static_cast<float>(joints->joints[b][j][n]);
+        }
+        if (joints->reachable[b & 1U][n] == 0.0) {
+          states.cost[costAt + b] += SearchPenalty::kUnreachable * static_cast<float>(rung.steps);
+        }
+      }
+    }
+  }
+}
+
+namespace {
+
+float wrapped(float angle) {
+  const auto turn = static_cast<float>(kTurn);
+  return angle - turn * std::rint(angle / turn);
+}
+
+/// How far a value lies outside [−π, π]-shifted limits, of the turn that lies best.
+float outside(float value, float middle, float half, bool periodic) {
+  const float d = value - middle;
+  return std::abs(periodic ? wrapped(d) : d) - half;
+}
+
+}  // namespace
+
+/// Limits, singularity margins, twist and objectives of the states of one table sample; the second
+/// half of each row.
+void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& states) const {
+  const cell::Cell& cell = task_.cell;
+  const cell::Arm& arm = *cell.arm;
+  const MotionParams& params = task_.params;
+  float* cost = states.cost.data() + table * kLanes;
+  const std::size_t base = table * 2 * kLanes;
+  const auto weight = static_cast<float>(params.weightLimits * static_cast<double>(rung.steps) /
+                                         static_cast<double>(frame_.points));
+  const auto steps = static_cast<float>(rung.steps);
+  for (int j = 0; j < 6; ++j) {
+    const cell::Joint& joint = cell.joint(j);
+    if (joint.endless) {
+      continue;
+    }
+    const auto middle = static_cast<float>(0.5 * (joint.min + joint.max));
+    const auto half = static_cast<float>(0.5 * (joint.max - joint.min));
+    const bool periodic = arm.periodic[static_cast<std::size_t>(j)];
+    const float* row = states.rows[j].data() + base;
+    for (int n = 0; n < kLanes; ++n) {
+      const float beyond = outside(row[n], middle, half, periodic);
+      const float relative = (beyond + half) / half;
+      cost[n] +=
+          weight * relative * relative +
+          (beyond > 0.0F ? steps * (SearchPenalty::kOutside + SearchPenalty::kBeyond * beyond)
+                         : 0.0F);
+    }
+  }
+  // Wrist and elbow bends are linear in the canonical angles.
+  const float* row5 = states.rows[4].data() + base;
+  const float* row2 = states.rows[1].data() + base;
+  const float* row3 = states.rows[2].data() + base;
+  const auto g5 = static_cast<float>(arm.gain(4, 4));
+  const auto o5 = static_cast<float>(arm.offset(4));
+  const auto g32 = static_cast<float>(arm.gain(2, 1));
+  const auto g33 = static_cast<float>(arm.gain(2, 2));
+  // Stretched where −d4·cos c3 + r4·sin c3 = 0.
+  const auto o3 = static_cast<float>(arm.offset(2) - std::atan2(arm.d4, arm.r4));
+  const auto wrist = static_cast<float>(params.wristMargin.value());
+  const auto elbow = static_cast<float>(params.elbowMargin.value());
+  const auto halfTurn = static_cast<float>(kPi);
+  for (int n = 0; n < kLanes; ++n) {
+    const float bend5 = std::abs(wrapped(g5 * row5[n] + o5));
+    const float bend3 = std::abs(wrapped(g32 * row2[n] + g33 * row3[n] + o3));
+    const float near5 = bend5 < halfTurn - bend5 ? bend5 : halfTurn - bend5;
+    const float near3 = bend3 < halfTurn - bend3 ? bend3 : halfTurn - bend3;
+    cost[n] += (near5 < wrist ? steps * SearchPenalty::kSingular : 0.0F) +
+               (near3 < elbow ? steps * SearchPenalty::kSingular : 0.0F);
+  }
+  const double limit = params.cableLimit.value();
+  if (limit > 0.0) {
+    const float sign = arm.gain(3, 3) * arm.gain(5, 5) < 0.0 ? -1.0F : 1.0F;
+    const auto zero = static_cast<float>(params.cableZero.value());
+    const auto most = static_cast<float>(limit);
+    float* twist = states.rows[6].data() + base;
+    for (int n = 0; n < kLanes; ++n) {
+      twist[n] = wrapped(states.rows[3][base + static_cast<std::size_t>(n)] +
+                         sign * states.rows[5][base + static_cast<std::size_t>(n)] - zero);
+      const float over = std::abs(twist[n]) - most;
+      cost[n] += over > 0.0F ? steps * SearchPenalty::kTwist * (1.0F + over) : 0.0F;
+    }
+  }
+  PositionerValues values = task_.aligned[frame_.family].joints[rung.target];
+  if (hasTable_) {
+    values[static_cast<std::size_t>(cell.positionerJoints() - 1)] = states.tableValues[table];
+  }
+  double shared = 0.0;
+  if (params.weightGravity > 0.0) {
+    const double angle = radToDeg(verticalError(cell, task_.targets[rung.target].up, values));
+    shared += params.weightGravity * angle * angle * static_cast<double>(rung.steps) /
+              static_cast<double>(frame_.points);
+  }
+  for (int n = 0; n < kLanes; ++n) {
+    const int branch = n % cell::Branch::kCount;
+    cost[n] += static_cast<float>(shared) + (mayUse(params, branch) ? 0.0F : SearchPenalty::kNever);
+    if (rung.firstOfRun) {
+      const cell::Branch b = cell::Branch::fromIndex(branch);
+      cost[n] += SearchPenalty::kUnusual *
+                 static_cast<float>((b.elbowDown ? 1 : 0) + (b.backwards ? 2 : 0));
+    }
+  }
+  for (auto& row : states.rows) {
+    if (!row.empty()) {
+      std::copy_n(row.data() + base, kLanes, row.data() + base + kLanes);
+    }
+  }
+}
+
+/// Reach of the travel moves beside a bead's end, which take the same free choice.
+void StateBuilder::addTravel(const Rung& rung, RungStates& states) const {
+  const Segment& segment = task_.runs.segments[rung.segment];
+  std::vector<std::size_t> travel;
+  if (rung.target == segment.first) {
+    for (std::size_t i = segment.begin; i < segment.first; ++i) {
+      travel.push_back(i);
+    }
+  }
+  if (rung.target == segment.last) {
+    for (std::size_t i = segment.last + 1; i < segment.end; ++i) {
+      travel.push_back(i);
+    }
+  }
+  if (travel.empty()) {
+    return;
+  }
+  Rung beside = rung;
+  beside.steps = 1;
+  beside.firstOfRun = false;
+  RungStates own;
+  own.tables = states.tables;
+  own.tableValues = states.tableValues;
+  for (const std::size_t i : travel) {
+    beside.target = i;
+    for (int r = 0; r < kSearchRows; ++r) {
+      own.rows[r].resize(states.rows[r].size());
+    }
+    own.cost.assign(states.cost.size(), 0.0F);
+    solve(beside, own);
+    for (std::size_t table = 0; table < own.tables.size(); ++table) {
+      addCosts(beside, table, own);
+    }
+    for (std::size_t n = 0; n < own.cost.size(); ++n) {
+      states.cost[n] += own.cost[n];
+    }
+  }
+}
+
+}  // namespace wcam::motion::detail
