@@ -31,7 +31,8 @@ const char* redundancyKey(RedundancyMode mode) {
 }
 
 std::size_t Evaluation::violations() const {
-  return count(Constraint::Reach) + count(Constraint::Limits) + count(Constraint::Collision);
+  return count(Constraint::Reach) + count(Constraint::Limits) + count(Constraint::Collision) +
+         count(Constraint::Tilt);
 }
 
 std::size_t Evaluation::allBroken() const {

@@ -64,7 +64,8 @@ struct Evaluation {
     return broken[static_cast<std::size_t>(c)];
   }
 
-  /// Waypoints that make a motion unfit for the robot: out of reach, limits, collision.
+  /// Waypoints that make a motion unfit: out of reach, limits, collision, a torch that leans
+  /// further than the process allows.
   [[nodiscard]] std::size_t violations() const;
   /// Waypoints that break any constraint (a waypoint counts once per constraint).
   [[nodiscard]] std::size_t allBroken() const;
