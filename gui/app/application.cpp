@@ -113,6 +113,9 @@ int runApplication(int argc, char** argv) {
     const QStringList files = parser.positionalArguments();
     const bool leave = parser.isSet(exitOption);
     afterStartup(window, [&window, files, leave] {
+      if (files.isEmpty() && !leave) {
+        window.offerUntitledWork();
+      }
       const bool opened = files.isEmpty() || window.openFile(pathFromText(utf8(files.front())));
       if (leave) {
         std::fputs(utf8(window.noticeText() + (window.noticeText().isEmpty() ? "" : "\n")).c_str(),

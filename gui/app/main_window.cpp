@@ -36,6 +36,7 @@ namespace {
 
 constexpr int kLayoutVersion = 1;
 constexpr int kProgramDelayMs = 150;
+constexpr int kStaleDelayMs = 400;
 
 QDockWidget* dock(QMainWindow* window,
                   const char* name,
@@ -267,6 +268,10 @@ void MainWindow::connectAll() {
   programDelay_.setSingleShot(true);
   programDelay_.setInterval(kProgramDelayMs);
   connect(&programDelay_, &QTimer::timeout, this, &MainWindow::showProgram);
+  // What is computed at once need not turn grey in between.
+  staleDelay_.setSingleShot(true);
+  staleDelay_.setInterval(kStaleDelayMs);
+  connect(&staleDelay_, &QTimer::timeout, this, [this] { scene_->setStale(session_->stale()); });
   connect(program_, &ProgramView::wanted, &programDelay_, qOverload<>(&QTimer::start));
   if (view_ != nullptr) {
     connect(view_, &VtkWidget::clicked, this,
@@ -300,8 +305,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   // The user has decided: nothing is left to recover.
-  if (session_->modified() && !session_->file().empty() && session_->lockedBy().isEmpty()) {
-    project::dropAutosave(session_->file());
+  if (session_->modified() && session_->lockedBy().isEmpty()) {
+    project::dropAutosave(session_->file().empty() ? Session::untitledFile() : session_->file());
   }
   session_->cancel();
   session_->tasks().cancel();

@@ -47,6 +47,8 @@ public:
   /// Opens a project, or imports a part. Asks about unsaved changes, recovery and locks. @return
   /// false when nothing was opened
   bool openFile(const std::filesystem::path& file);
+  /// Offers the work of a program that ended before its project was saved.
+  void offerUntitledWork();
   /// @return false when the file could not be written; the reason is shown
   bool saveTo(const std::filesystem::path& file);
 
@@ -192,6 +194,7 @@ private:
   QMenu* recent_ = nullptr;
   QMenu* colours_ = nullptr;
   QTimer programDelay_;
+  QTimer staleDelay_;
   NodeRef shownNode_;
   NodeRef edited_;
   std::string chosenOperation_;

@@ -153,6 +153,27 @@ bool MainWindow::offerRecovery(const std::filesystem::path& file) {
   return box.clickedButton() == static_cast<QAbstractButton*>(recover);
 }
 
+void MainWindow::offerUntitledWork() {
+  const std::optional<project::Document> work = Session::untitledWork();
+  if (!work) {
+    return;
+  }
+  QMessageBox box(
+      QMessageBox::Question, tr("Recover the project"),
+      tr("The program was not closed properly. The project that was never saved can be recovered."),
+      QMessageBox::NoButton, this);
+  box.setObjectName("recoverBox");
+  QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+  box.addButton(QMessageBox::Discard);
+  box.exec();
+  if (box.clickedButton() == static_cast<QAbstractButton*>(recover)) {
+    session_->recover(*work);
+    setWindowModified(session_->modified());
+  } else {
+    session_->forgetUntitled();
+  }
+}
+
 bool MainWindow::openFile(const std::filesystem::path& file) {
   if (isPartFile(qt(pathText(file)))) {
     importFiles({qt(pathText(file))});

@@ -238,7 +238,11 @@ void MainWindow::showState() {
   if (!running) {
     progress_->setValue(0);
   }
-  scene_->setStale(stale && !running);
+  if (!stale) {
+    scene_->setStale(false);
+  } else if (!staleDelay_.isActive()) {
+    staleDelay_.start();
+  }
   staleNote_->setText(tr("Out of date — F5 computes it"));
   staleNote_->setVisible(stale && !running && state_.path() != nullptr);
   placeOverlay();

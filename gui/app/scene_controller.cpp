@@ -29,27 +29,19 @@ void SceneController::setResults(const Generated& results, const std::string& op
   const GeneratedOperation* shown = results.operation(operation);
   if (view_ != nullptr) {
     viewport::Scene& scene = view_->scene();
-    std::vector<const viewport::MeshData*> parts;
-    std::vector<std::shared_ptr<const viewport::MeshData>> kept;
+    std::vector<std::shared_ptr<const viewport::PreparedMesh>> parts;
     for (const GeneratedPart& part : results.parts) {
       if (part.mesh) {
-        parts.push_back(part.mesh.get());
-        kept.push_back(part.mesh);
+        parts.push_back(part.mesh);
       }
     }
     if (parts != shownParts_) {
-      std::vector<viewport::MeshData> meshes;
-      meshes.reserve(parts.size());
-      for (const viewport::MeshData* part : parts) {
-        meshes.push_back(*part);
-      }
-      scene.setParts(std::move(meshes));
       shownParts_ = parts;
-      keptParts_ = std::move(kept);
+      scene.setParts(std::move(parts));
     }
     if (shown != nullptr && shown->substrate != shownSubstrate_) {
       shownSubstrate_ = shown->substrate;
-      scene.setSubstrate(shownSubstrate_ ? *shownSubstrate_ : viewport::MeshData());
+      scene.setSubstrate(shownSubstrate_);
     }
     if (results.cell != cell_) {
       cell_ = results.cell;
@@ -81,7 +73,7 @@ void SceneController::show(unsigned changes) {
   if (view_ != nullptr) {
     viewport::Scene& scene = view_->scene();
     if ((changes & ViewState::PathChanged) != 0) {
-      scene.setPath(state_.path() ? state_.path()->data() : nullptr);
+      scene.setPath(state_.path() ? state_.path()->prepared() : nullptr);
     }
     if ((changes & (ViewState::PathChanged | ViewState::ColourChanged)) != 0) {
       scene.setPathColours(colours_.rgb);

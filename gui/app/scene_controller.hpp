@@ -48,9 +48,8 @@ private:
   ViewState& state_;
   VtkWidget* view_;
   int listener_ = 0;
-  std::vector<const viewport::MeshData*> shownParts_;
-  std::vector<std::shared_ptr<const viewport::MeshData>> keptParts_;
-  std::shared_ptr<const viewport::MeshData> shownSubstrate_;
+  std::vector<std::shared_ptr<const viewport::PreparedMesh>> shownParts_;
+  std::shared_ptr<const viewport::PreparedMesh> shownSubstrate_;
   std::shared_ptr<const cell::Cell> cell_;
   Coloured colours_;
   bool fitted_ = false;

@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QMetaObject>
 #include <QPointer>
+#include <QStandardPaths>
 
 namespace wcam::gui {
 
@@ -142,9 +143,7 @@ std::vector<Diagnostic> Session::open(const std::filesystem::path& file, bool re
   }
   cancel();
   setHistory(loaded.document);
-  if (!recovered || loaded.document == onDisk) {
-    history_->markClean();
-  }
+  recovered_ = recovered && !(loaded.document == onDisk);
   file_ = path;
   generated_ = {};
   first_.clear();
@@ -157,8 +156,12 @@ std::vector<Diagnostic> Session::open(const std::filesystem::path& file, bool re
 
 void Session::create(const project::Document& document) {
   cancel();
+  if (file_.empty() && modified()) {
+    forgetUntitled();
+  }
   setHistory(document);
   file_.clear();
+  recovered_ = false;
   lock_.reset();
   lockedBy_.clear();
   generated_ = {};
@@ -196,9 +199,14 @@ void Session::save() {
                 "close it there, or save under another name");
   }
   project::saveProject(document(), file_);
-  history_->markClean();
-  autosaved_ = history_->stateId();
+  markSaved();
   emit fileChanged();
+}
+
+void Session::markSaved() {
+  history_->markClean();
+  recovered_ = false;
+  autosaved_ = history_->stateId();
 }
 
 void Session::saveAs(const std::filesystem::path& file) {
@@ -210,12 +218,13 @@ void Session::saveAs(const std::filesystem::path& file) {
     }
   }
   project::saveProject(document(), path);
-  if (!file_.empty() && file_ != path && lockedBy_.isEmpty()) {
+  if (file_.empty()) {
+    forgetUntitled();
+  } else if (file_ != path && lockedBy_.isEmpty()) {
     project::dropAutosave(file_);
   }
   file_ = path;
-  history_->markClean();
-  autosaved_ = history_->stateId();
+  markSaved();
   lock();
   emit fileChanged();
   emit documentChanged();
@@ -316,27 +325,28 @@ void Session::regenerate() {
     }
     emit resultsChanged();
   };
-  generation_->start(
-      {utf8(tr("Regenerate")),
-       [this, result, pipeline = pipeline(), first = first_, show](const JobContext& context) {
-         *result = generate(pipeline, first, context, [&](const Generated& partial) {
-           generation_->deliver([show, partial] { show(partial); });
-         });
-       },
-       [this, result, state](const std::optional<Error>& error) {
-         if (error && error->code() == ErrorCode::Cancelled) {
-           emit stateChanged();
-           return;
-         }
-         if (error) {
-           result->error = error;
-           emit failed(errorText(*error));
-         }
-         result->state = state;
-         generated_ = std::move(*result);
-         emit resultsChanged();
-         emit stateChanged();
-       }});
+  generation_->start({utf8(tr("Regenerate")),
+                      [result, pipeline = pipeline(), first = first_, before = generated_, show,
+                       runner = generation_.get()](const JobContext& context) {
+                        *result = generate(pipeline, first, before, context,
+                                           [&](const Generated& partial) {
+                                             runner->deliver([show, partial] { show(partial); });
+                                           });
+                      },
+                      [this, result, state](const std::optional<Error>& error) {
+                        if (error && error->code() == ErrorCode::Cancelled) {
+                          emit stateChanged();
+                          return;
+                        }
+                        if (error) {
+                          result->error = error;
+                          emit failed(errorText(*error));
+                        }
+                        result->state = state;
+                        generated_ = std::move(*result);
+                        emit resultsChanged();
+                        emit stateChanged();
+                      }});
   emit stateChanged();
 }
 
@@ -345,12 +355,45 @@ void Session::cancel() {
   generation_->cancel();
 }
 
+std::filesystem::path Session::untitledFile() {
+  return pathFromText(
+             utf8(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation))) /
+         "untitled.wcam";
+}
+
+std::optional<project::Document> Session::untitledWork() {
+  std::error_code ignored;
+  const std::filesystem::path saved = project::autosavePath(untitledFile());
+  if (!std::filesystem::exists(saved, ignored)) {
+    return std::nullopt;
+  }
+  try {
+    return project::loadProject(saved).document;
+  } catch (const Error&) {
+    return std::nullopt;  // damaged: there is nothing to offer
+  }
+}
+
+void Session::forgetUntitled() {
+  project::dropAutosave(untitledFile());
+}
+
+void Session::recover(const project::Document& document) {
+  create(document);
+  recovered_ = true;
+  autosaved_ = 0;
+  emit fileChanged();
+}
+
 void Session::autosaveNow() {
-  if (file_.empty() || !modified() || !lockedBy_.isEmpty() || autosaved_ == history_->stateId()) {
+  if (!modified() || !lockedBy_.isEmpty() || autosaved_ == history_->stateId()) {
     return;
   }
   try {
-    project::autosave(document(), file_);
+    if (file_.empty()) {
+      createFolder(untitledFile().parent_path());
+    }
+    project::autosave(document(), file_.empty() ? untitledFile() : file_);
     autosaved_ = history_->stateId();
   } catch (const Error& error) {
     emit failed(errorText(error));

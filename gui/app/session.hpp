@@ -43,7 +43,7 @@ public:
   /// Against which the files of the document are resolved.
   [[nodiscard]] std::filesystem::path base() const;
 
-  [[nodiscard]] bool modified() const { return !history_->isClean(); }
+  [[nodiscard]] bool modified() const { return recovered_ || !history_->isClean(); }
 
   // Files. Errors are those of the engine.
   /// @param recovered take the autosave of the file instead of the file
@@ -90,6 +90,14 @@ public:
 
   void setAutosaveInterval(int ms) { autosave_.setInterval(ms); }
 
+  /// Work that was never saved is kept here, in the user's data folder.
+  [[nodiscard]] static std::filesystem::path untitledFile();
+  /// The document of a program that ended badly before its project was saved.
+  [[nodiscard]] static std::optional<project::Document> untitledWork();
+  void forgetUntitled();
+  /// A document that is not saved anywhere.
+  void recover(const project::Document& document);
+
   /// Writes the autosave now when there is something to save.
   void autosaveNow();
 
@@ -105,6 +113,7 @@ private:
   void setHistory(const project::Document& document);
   void changed();
   void lock();
+  void markSaved();
 
   std::shared_ptr<const plugin::PluginHost> plugins_;
   std::shared_ptr<project::StageCache> cache_;
@@ -115,6 +124,7 @@ private:
   QTimer autosave_;
   QTimer delay_;
   std::uint64_t autosaved_ = 0;
+  bool recovered_ = false;  ///< the document came from an autosave and is not on disk
   Generated generated_;
   std::string first_;
   std::unique_ptr<JobRunner> generation_;

@@ -33,6 +33,12 @@ std::optional<Error> errorOf(const Step& step) {
   }
 }
 
+/// Stages keep their results, so equal results are the same objects.
+bool sameResult(const project::OperationResult& a, const project::OperationResult& b) {
+  return a.path == b.path && a.motion == b.motion && a.program == b.program && a.cell == b.cell &&
+         a.substrate == b.substrate && a.findings.size() == b.findings.size();
+}
+
 }  // namespace
 
 const GeneratedPart* Generated::part(const std::string& id) const {
@@ -49,6 +55,7 @@ const GeneratedOperation* Generated::operation(const std::string& id) const {
 
 Generated generate(const project::Pipeline& pipeline,
                    const std::string& first,
+                   const Generated& before,
                    const JobContext& context,
                    const std::function<void(const Generated&)>& step) {
   Generated result;
@@ -63,7 +70,10 @@ Generated generate(const project::Pipeline& pipeline,
     shown.id = part.id;
     shown.error = errorOf([&] {
       shown.part = pipeline.importPart(part.id, context.portion(0.0, 0.2, "import"));
-      shown.mesh = std::make_shared<viewport::MeshData>(meshOf(*shown.part->surface));
+      const GeneratedPart* old = before.part(part.id);
+      shown.mesh = old != nullptr && old->part == shown.part
+                       ? old->mesh
+                       : viewport::prepare(meshOf(*shown.part->surface));
     });
     result.parts.push_back(std::move(shown));
     step(result);
@@ -86,7 +96,13 @@ Generated generate(const project::Pipeline& pipeline,
           pipeline.compute(shown.id, context.portion(begin, end, shown.id)));
       context.check();
       result.cell = computed->cell;
-      shown.substrate = std::make_shared<viewport::MeshData>(meshOf(*computed->substrate));
+      const GeneratedOperation* old = before.operation(shown.id);
+      if (old != nullptr && old->path && sameResult(old->path->result(), *computed)) {
+        shown.path = old->path;
+        shown.substrate = old->substrate;
+        return;
+      }
+      shown.substrate = viewport::prepare(meshOf(*computed->substrate));
       shown.path = std::make_shared<const PathModel>(std::move(computed));
     });
     result.operations.push_back(std::move(shown));

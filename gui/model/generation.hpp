@@ -19,7 +19,7 @@ namespace wcam::gui {
 struct GeneratedPart {
   std::string id;
   std::shared_ptr<const io::ImportedPart> part;
-  std::shared_ptr<const viewport::MeshData> mesh;
+  std::shared_ptr<const viewport::PreparedMesh> mesh;
   std::optional<Error> error;
 };
 
@@ -27,7 +27,7 @@ struct GeneratedPart {
 struct GeneratedOperation {
   std::string id;
   std::shared_ptr<const PathModel> path;
-  std::shared_ptr<const viewport::MeshData> substrate;
+  std::shared_ptr<const viewport::PreparedMesh> substrate;
   std::optional<Error> error;
 };
 
@@ -46,10 +46,12 @@ struct Generated {
 
 /// Imports the parts and computes the enabled operations, `first` before the others. Every failure
 /// is kept with its part or operation; the others go on. For the background.
+/// @param before what was shown until now: what is the same is taken from it, so that views keep it
 /// @param step called with what there is so far after every part and operation
 /// @throws CancelledError
 Generated generate(const project::Pipeline& pipeline,
                    const std::string& first,
+                   const Generated& before,
                    const JobContext& context,
                    const std::function<void(const Generated&)>& step);
 

@@ -79,6 +79,7 @@ PathModel::PathModel(std::shared_ptr<const project::OperationResult> result)
     layerBegin_.back() = size();
   }
   data_ = std::move(data);
+  prepared_ = viewport::prepare(data_);
 }
 
 void PathModel::addMove(int layer,

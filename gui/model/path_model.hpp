@@ -4,7 +4,7 @@
 
 #include "wcam/project/pipeline.hpp"
 
-#include "viewport/scene_data.hpp"
+#include "viewport/prepared.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -81,6 +81,11 @@ public:
 
   [[nodiscard]] const std::shared_ptr<const viewport::PathData>& data() const { return data_; }
 
+  /// Ready for the 3D view; for one view at a time.
+  [[nodiscard]] const std::shared_ptr<viewport::PreparedPath>& prepared() const {
+    return prepared_;
+  }
+
 private:
   void addMove(int layer,
                int bead,
@@ -96,6 +101,7 @@ private:
 
   std::shared_ptr<const project::OperationResult> result_;
   std::shared_ptr<const viewport::PathData> data_;
+  std::shared_ptr<viewport::PreparedPath> prepared_;
   std::vector<std::int32_t> layer_;
   std::vector<std::int32_t> bead_;
   std::vector<std::int32_t> point_;

@@ -3,16 +3,13 @@
 
 #include "scene.hpp"
 
-#include "beads.hpp"
+#include "prepared_vtk.hpp"
 #include "solids.hpp"
 #include "vtk_arrays.hpp"
 
 #include <vtkActor.h>
-#include <vtkAxesActor.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFloatArray.h>
 #include <vtkGenericCell.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -24,21 +21,16 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <vtkStaticCellLocator.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace wcam::viewport {
 
 namespace {
-
-// Above this many moves beads are lines: solids would need gigabytes and seconds (PERFORMANCE i).
-constexpr std::size_t kMaxSolidMoves = 200000;
 
 void setColour(vtkProperty* property, const Colour& colour) {
   property->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
@@ -65,25 +57,23 @@ Theme darkTheme() {
           {205, 214, 224}, {104, 110, 118}, {225, 229, 235}};
 }
 
-/// A chunk of the path: solids and lines share the colours by move.
+namespace {
+
+/// A chunk of the path in the scene: what it shows at present.
 struct Chunk {
-  ChunkRange range;
+  PreparedChunk* prepared = nullptr;
   vtkSmartPointer<vtkActor> actor;
-  vtkSmartPointer<vtkPolyData> data;
-  vtkSmartPointer<vtkCellArray> all;
-  std::vector<std::uint32_t> moveOfVertex;
-  std::vector<std::uint32_t> cellsUpTo;
   std::size_t shownBegin = 0;
-  std::size_t shownEnd = std::numeric_limits<std::size_t>::max();
-  bool isLines = false;
+  std::size_t shownEnd = 0;
 };
 
 struct PartItem {
-  MeshData mesh;
+  std::shared_ptr<const PreparedMesh> prepared;
   vtkSmartPointer<vtkActor> surface;
   vtkSmartPointer<vtkActor> edges;
-  vtkSmartPointer<vtkStaticCellLocator> locator;
 };
+
+}  // namespace
 
 struct Scene::Impl {
   vtkSmartPointer<vtkRenderer> renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -98,7 +88,7 @@ struct Scene::Impl {
   vtkSmartPointer<vtkActor> markedFaces;
   vtkSmartPointer<vtkActor> markedEdges;
 
-  std::shared_ptr<const PathData> path;
+  std::shared_ptr<PreparedPath> path;
   std::vector<Chunk> solids;
   std::vector<Chunk> lines;
   std::vector<Chunk> travel;
@@ -123,7 +113,7 @@ struct Scene::Impl {
   vtkSmartPointer<vtkActor> measureLine;
   vtkSmartPointer<vtkBillboardTextActor3D> measureText;
 
-  [[nodiscard]] bool asLines() const { return path && path->size() > kMaxSolidMoves; }
+  [[nodiscard]] bool asLines() const { return path && path->onlyLines(); }
 
   void add(vtkActor* actor) { renderer->AddActor(actor); }
 
@@ -194,52 +184,30 @@ struct Scene::Impl {
   }
 
   void colour(Chunk& chunk) {
-    const std::size_t count = chunk.moveOfVertex.size();
-    auto* scalars = vtkUnsignedCharArray::SafeDownCast(chunk.data->GetPointData()->GetScalars());
+    const PreparedChunk& prepared = *chunk.prepared;
+    const std::size_t count = prepared.moveOfVertex.size();
+    vtkPointData* values = prepared.data->GetPointData();
+    auto* scalars = vtkUnsignedCharArray::SafeDownCast(values->GetScalars());
     if (scalars == nullptr) {
       vtkNew<vtkUnsignedCharArray> made;
       made->SetNumberOfComponents(3);
       made->SetNumberOfTuples(static_cast<vtkIdType>(count));
-      chunk.data->GetPointData()->SetScalars(made);
+      values->SetScalars(made);
       scalars = made;
     }
     std::uint8_t* out = scalars->GetPointer(0);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t move = chunk.moveOfVertex[i];
-      for (int c = 0; c < 3; ++c) {
-        std::uint8_t value = 3 * move + 2 < colours.size() ? colours[3 * move + c] : 150;
+      const std::size_t move = prepared.moveOfVertex[i];
+      for (std::size_t c = 0; c < 3; ++c) {
+        int value = 3 * move + 2 < colours.size() ? colours[3 * move + c] : 150;
         if (stale) {
-          value = static_cast<std::uint8_t>(150 + (value - 150) / 5);
+          value = 150 + (value - 150) / 5;
         }
-        out[3 * i + c] = value;
+        out[3 * i + c] = static_cast<std::uint8_t>(value);
       }
     }
     scalars->Modified();
-    chunk.data->Modified();
-  }
-
-  template <class Built>
-  Chunk makeChunk(const ChunkRange& range, Built built, bool isLines) {
-    Chunk chunk;
-    chunk.range = range;
-    chunk.isLines = isLines;
-    chunk.data = vtkSmartPointer<vtkPolyData>::New();
-    chunk.data->SetPoints(pointsOf(built.positions));
-    chunk.all = cellsOf(built.offsets, built.corners);
-    if constexpr (std::is_same_v<Built, BeadSolid>) {
-      chunk.data->GetPointData()->SetNormals(vectorsOf(built.normals));
-      chunk.data->SetPolys(chunk.all);
-      chunk.cellsUpTo = std::move(built.polygonsUpTo);
-    } else {
-      chunk.data->SetLines(chunk.all);
-      chunk.cellsUpTo = std::move(built.linesUpTo);
-    }
-    chunk.moveOfVertex = std::move(built.moveOfVertex);
-    chunk.actor = makeActor(chunk.data);
-    place(chunk.actor);
-    add(chunk.actor);
-    ++uploads;
-    return chunk;
+    prepared.data->Modified();
   }
 
   void clear(std::vector<Chunk>& chunks) {
@@ -249,31 +217,65 @@ struct Scene::Impl {
     chunks.clear();
   }
 
+  /// Puts prepared chunks into the scene.
+  void addChunks(std::vector<PreparedChunk>& prepared, std::vector<Chunk>& chunks) {
+    for (PreparedChunk& one : prepared) {
+      Chunk chunk;
+      chunk.prepared = &one;
+      chunk.shownBegin = one.range.begin;
+      chunk.shownEnd = one.range.end;
+      // It may have been in the scene before.
+      setCells(one, one.all);
+      chunk.actor = makeActor(one.data);
+      place(chunk.actor);
+      add(chunk.actor);
+      chunks.push_back(chunk);
+    }
+  }
+
+  static void setCells(PreparedChunk& chunk, vtkCellArray* cells) {
+    if (chunk.isLines) {
+      chunk.data->SetLines(cells);
+    } else {
+      chunk.data->SetPolys(cells);
+    }
+    chunk.data->Modified();
+  }
+
   void makeSolids() {
-    for (const ChunkRange& range : chunksOf(*path)) {
-      solids.push_back(makeChunk(range, beadSolid(*path, range), false));
-      vtkProperty* property = solids.back().actor->GetProperty();
+    if (path->solids.empty()) {
+      path->solids = prepareChunks(*path->data, ChunkKind::Solid);
+    }
+    addChunks(path->solids, solids);
+    for (Chunk& chunk : solids) {
+      vtkProperty* property = chunk.actor->GetProperty();
       property->SetAmbient(0.22);
       property->SetDiffuse(0.8);
       property->SetSpecular(0.1);
       property->SetSpecularPower(12.0);
-      colour(solids.back());
+      colour(chunk);
     }
   }
 
   void makeLines() {
-    for (const ChunkRange& range : chunksOf(*path)) {
-      lines.push_back(makeChunk(range, beadLines(*path, range, false), true));
-      lines.back().actor->GetProperty()->SetLineWidth(2.0F);
-      lines.back().actor->GetProperty()->SetLighting(false);
-      colour(lines.back());
+    if (path->lines.empty()) {
+      path->lines = prepareChunks(*path->data, ChunkKind::Lines);
+    }
+    addChunks(path->lines, lines);
+    for (Chunk& chunk : lines) {
+      chunk.actor->GetProperty()->SetLineWidth(2.0F);
+      chunk.actor->GetProperty()->SetLighting(false);
+      colour(chunk);
     }
   }
 
   void makeTravel() {
-    for (const ChunkRange& range : chunksOf(*path)) {
-      travel.push_back(makeChunk(range, beadLines(*path, range, true), true));
-      vtkProperty* property = travel.back().actor->GetProperty();
+    if (path->travel.empty()) {
+      path->travel = prepareChunks(*path->data, ChunkKind::Travel);
+    }
+    addChunks(path->travel, travel);
+    for (Chunk& chunk : travel) {
+      vtkProperty* property = chunk.actor->GetProperty();
       property->SetLineWidth(1.0F);
       property->SetLighting(false);
       property->SetColor(0.85, 0.45, 0.1);
@@ -283,33 +285,23 @@ struct Scene::Impl {
 
   /// Shows the moves of a chunk that lie in [begin, end): the rest is left out of its cells.
   void show(Chunk& chunk, bool wanted) {
-    const std::size_t from = std::clamp(begin, chunk.range.begin, chunk.range.end);
-    const std::size_t to = std::clamp(end, chunk.range.begin, chunk.range.end);
-    if (!wanted || from >= to) {
-      chunk.actor->VisibilityOff();
+    PreparedChunk& prepared = *chunk.prepared;
+    const ChunkRange& range = prepared.range;
+    const std::size_t from = std::clamp(begin, range.begin, range.end);
+    const std::size_t to = std::clamp(end, range.begin, range.end);
+    chunk.actor->SetVisibility(wanted && from < to);
+    if (!wanted || from >= to || (from == chunk.shownBegin && to == chunk.shownEnd)) {
       return;
     }
-    chunk.actor->VisibilityOn();
-    if (from == chunk.shownBegin && to == chunk.shownEnd) {
-      return;
-    }
-    const bool full = from == chunk.range.begin && to == chunk.range.end;
-    const bool wasFull = chunk.shownEnd == std::numeric_limits<std::size_t>::max();
     chunk.shownBegin = from;
     chunk.shownEnd = to;
-    if (full && wasFull) {
-      return;
-    }
-    const std::size_t first =
-        from == chunk.range.begin ? 0 : chunk.cellsUpTo[from - chunk.range.begin - 1];
-    const std::size_t last = chunk.cellsUpTo[to - chunk.range.begin - 1];
-    auto cells = full ? chunk.all : cellRange(chunk.all, first, last);
-    if (chunk.isLines) {
-      chunk.data->SetLines(cells);
+    if (from == range.begin && to == range.end) {
+      setCells(prepared, prepared.all);
     } else {
-      chunk.data->SetPolys(cells);
+      const std::size_t first =
+          from == range.begin ? 0 : prepared.cellsUpTo[from - range.begin - 1];
+      setCells(prepared, cellRange(prepared.all, first, prepared.cellsUpTo[to - range.begin - 1]));
     }
-    chunk.data->Modified();
     ++uploads;
   }
 
@@ -374,7 +366,7 @@ void Scene::setTheme(const Theme& theme) {
   impl_->showSubstrate();
 }
 
-void Scene::setParts(std::vector<MeshData> parts) {
+void Scene::setParts(std::vector<std::shared_ptr<const PreparedMesh>> parts) {
   for (PartItem& part : impl_->parts) {
     impl_->remove(part.surface);
     impl_->remove(part.edges);
@@ -382,20 +374,19 @@ void Scene::setParts(std::vector<MeshData> parts) {
   impl_->parts.clear();
   setMarkedFaces({});
   setMarkedEdges({});
-  for (MeshData& mesh : parts) {
+  for (std::shared_ptr<const PreparedMesh>& mesh : parts) {
     PartItem item;
-    vtkSmartPointer<vtkPolyData> data = surfaceOf(mesh);
-    item.surface = makeActor(data);
+    item.surface = makeActor(mesh->surface);
     impl_->place(item.surface);
     impl_->add(item.surface);
-    if (mesh.edgeBegin.size() > 1) {
-      item.edges = makeActor(edgesOf(mesh));
+    if (mesh->edges) {
+      item.edges = makeActor(mesh->edges);
       item.edges->GetProperty()->SetLineWidth(1.6F);
       item.edges->GetProperty()->SetLighting(false);
       impl_->place(item.edges);
       impl_->add(item.edges);
     }
-    item.mesh = std::move(mesh);
+    item.prepared = std::move(mesh);
     impl_->parts.push_back(std::move(item));
   }
   impl_->showParts();
@@ -406,16 +397,17 @@ void Scene::setPartStyle(PartStyle style) {
   impl_->showParts();
 }
 
-void Scene::setSubstrate(MeshData mesh) {
+void Scene::setSubstrate(std::shared_ptr<const PreparedMesh> mesh) {
   impl_->remove(impl_->substrate);
   impl_->remove(impl_->substrateEdges);
   impl_->substrate = nullptr;
   impl_->substrateEdges = nullptr;
-  if (mesh.empty()) {
+  if (!mesh) {
     return;
   }
-  impl_->substrate = makeActor(surfaceOf(mesh));
-  impl_->substrateEdges = makeActor(edgesOf(mesh));
+  impl_->substrate = makeActor(mesh->surface);
+  vtkNew<vtkPolyData> nothing;
+  impl_->substrateEdges = makeActor(mesh->edges ? mesh->edges.Get() : nothing.Get());
   impl_->substrateEdges->GetProperty()->SetOpacity(0.4);
   for (vtkActor* actor : {impl_->substrate.Get(), impl_->substrateEdges.Get()}) {
     actor->SetUserMatrix(impl_->partPose);
@@ -437,7 +429,7 @@ void Scene::setMarkedFaces(const std::vector<std::pair<int, int>>& faces) {
     if (part < 0 || part >= static_cast<int>(impl_->parts.size())) {
       continue;
     }
-    const MeshData& mesh = impl_->parts[part].mesh;
+    const MeshData& mesh = impl_->parts[static_cast<std::size_t>(part)].prepared->mesh;
     for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
       if (mesh.faces[t] == face) {
         for (int c = 0; c < 3; ++c) {
@@ -467,7 +459,7 @@ void Scene::setMarkedEdges(const std::vector<std::pair<int, int>>& edges) {
     if (part < 0 || part >= static_cast<int>(impl_->parts.size())) {
       continue;
     }
-    const MeshData& mesh = impl_->parts[part].mesh;
+    const MeshData& mesh = impl_->parts[static_cast<std::size_t>(part)].prepared->mesh;
     for (std::size_t e = 0; e + 1 < mesh.edgeBegin.size(); ++e) {
       if (mesh.edgeIds[e] == edge) {
         marked.edgePositions.insert(marked.edgePositions.end(),
@@ -488,14 +480,14 @@ void Scene::setMarkedEdges(const std::vector<std::pair<int, int>>& edges) {
   impl_->add(impl_->markedEdges);
 }
 
-void Scene::setPath(std::shared_ptr<const PathData> path) {
+void Scene::setPath(std::shared_ptr<PreparedPath> path) {
   impl_->clear(impl_->solids);
   impl_->clear(impl_->lines);
   impl_->clear(impl_->travel);
   impl_->path = std::move(path);
   impl_->colours.clear();
   impl_->begin = 0;
-  impl_->end = impl_->path ? impl_->path->size() : 0;
+  impl_->end = impl_->path ? impl_->path->data->size() : 0;
   impl_->showPath();
 }
 
@@ -761,7 +753,7 @@ Pick Scene::pickMove(const Ray& ray) const {
   if (!impl_->path) {
     return pick;
   }
-  const PathData& path = *impl_->path;
+  const PathData& path = *impl_->path->data;
   const Matrix pose = valuesOf(impl_->partPose);
   const Projector project(ray, pose);
   Nearest nearest;
@@ -794,7 +786,7 @@ Pick Scene::pickEdge(const Ray& ray) const {
   const Projector project(ray, pose);
   Nearest nearest;
   for (std::size_t part = 0; part < impl_->parts.size(); ++part) {
-    const MeshData& mesh = impl_->parts[part].mesh;
+    const MeshData& mesh = impl_->parts[static_cast<std::size_t>(part)].prepared->mesh;
     for (std::size_t e = 0; e + 1 < mesh.edgeBegin.size(); ++e) {
       for (std::size_t i = mesh.edgeBegin[e]; i + 1 < mesh.edgeBegin[e + 1]; ++i) {
         std::array<double, 3> a{};
@@ -846,12 +838,7 @@ Pick Scene::pickFace(const Ray& ray) const {
   double to[3] = {from[0] + kFar * along[0], from[1] + kFar * along[1], from[2] + kFar * along[2]};
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < impl_->parts.size(); ++i) {
-    PartItem& part = impl_->parts[i];
-    if (!part.locator) {
-      part.locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-      part.locator->SetDataSet(part.surface->GetMapper()->GetInput());
-      part.locator->BuildLocator();
-    }
+    const PartItem& part = impl_->parts[i];
     double t = 0.0;
     double x[3];
     double local[3];
@@ -859,12 +846,15 @@ Pick Scene::pickFace(const Ray& ray) const {
     vtkIdType cell = -1;
     vtkNew<vtkGenericCell> generic;
     double start[3] = {from[0], from[1], from[2]};
-    if (part.locator->IntersectWithLine(start, to, 1e-6, t, x, local, sub, cell, generic) != 0 &&
+    if (part.prepared->locator->IntersectWithLine(start, to, 1e-6, t, x, local, sub, cell,
+                                                  generic) != 0 &&
         t < best) {
       best = t;
       pick.kind = Pick::Kind::Face;
       pick.part = static_cast<int>(i);
-      pick.index = part.mesh.faces.empty() ? -1 : part.mesh.faces[static_cast<std::size_t>(cell)];
+      pick.index = part.prepared->mesh.faces.empty()
+                       ? -1
+                       : part.prepared->mesh.faces[static_cast<std::size_t>(cell)];
       const float hit[3] = {static_cast<float>(x[0]), static_cast<float>(x[1]),
                             static_cast<float>(x[2])};
       pick.position = placed(valuesOf(impl_->partPose), hit);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene_data.hpp"
+#include "prepared.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -42,16 +42,16 @@ public:
   void setTheme(const Theme& theme);
 
   // What is built, in the part frame.
-  void setParts(std::vector<MeshData> parts);
+  void setParts(std::vector<std::shared_ptr<const PreparedMesh>> parts);
   void setPartStyle(PartStyle style);
-  void setSubstrate(MeshData mesh);
+  void setSubstrate(std::shared_ptr<const PreparedMesh> mesh);
   void setSubstrateVisible(bool visible);
   /// Faces and edges to mark, by part and index.
   void setMarkedFaces(const std::vector<std::pair<int, int>>& faces);
   void setMarkedEdges(const std::vector<std::pair<int, int>>& edges);
 
   // The path.
-  void setPath(std::shared_ptr<const PathData> path);
+  void setPath(std::shared_ptr<PreparedPath> path);
   /// Three bytes per move.
   void setPathColours(const std::vector<std::uint8_t>& colours);
   /// Shows moves [begin, end). Costs the chunks that change.

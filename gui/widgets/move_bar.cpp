@@ -8,8 +8,10 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyleOptionSlider>
 #include <QToolButton>
 
 #include <algorithm>
@@ -21,6 +23,26 @@ namespace {
 
 constexpr int kFrameMs = 33;
 constexpr std::array<int, 7> kSpeeds = {1, 2, 5, 10, 20, 50, 100};
+
+/// A click on the groove goes to that place at once.
+class JumpSlider : public QSlider {
+public:
+  using QSlider::QSlider;
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const QRect handle =
+        style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+    if (event->button() == Qt::LeftButton && !handle.contains(event->position().toPoint())) {
+      setValue(QStyle::sliderValueFromPosition(minimum(), maximum(),
+                                               event->position().toPoint().x() - handle.width() / 2,
+                                               width() - handle.width()));
+    }
+    QSlider::mousePressEvent(event);
+  }
+};
 
 QToolButton* button(QWidget* parent, const char* name, const QString& tip) {
   auto* made = new QToolButton(parent);
@@ -62,7 +84,7 @@ MoveBar::MoveBar(ViewState& state, QWidget* parent) : QWidget(parent), state_(st
   for (const int factor : kSpeeds) {
     speed_->addItem(QString("×%1").arg(factor), factor);
   }
-  slider_ = new QSlider(Qt::Horizontal, this);
+  slider_ = new JumpSlider(Qt::Horizontal, this);
   slider_->setObjectName("moveSlider");
   slider_->setAccessibleName(tr("Move shown"));
   place_ = new QLabel(this);

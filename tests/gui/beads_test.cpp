@@ -80,7 +80,7 @@ TEST(Beads, LinesAreTheDepositingMovesAndTravelTheOthers) {
 TEST(Scene, ATickOfTheRangeTouchesOnlyTheChunksThatChange) {
   Scene scene;
   const auto path = samplePath(50, 200);
-  scene.setPath(path->data());
+  scene.setPath(path->prepared());
   scene.setPathColours(std::vector<std::uint8_t>(3 * path->size(), 90));
   const std::size_t before = scene.uploads();
   for (std::size_t i = 0; i < 150; ++i) {
@@ -93,14 +93,14 @@ TEST(Scene, ATickOfTheRangeTouchesOnlyTheChunksThatChange) {
 TEST(Scene, ManyMovesAreDrawnAsLines) {
   Scene scene;
   const auto path = samplePath(60, 4000);
-  scene.setPath(path->data());
+  scene.setPath(path->prepared());
   EXPECT_TRUE(scene.drawsLines());
 }
 
 TEST(Scene, PicksTheMoveUnderTheMouse) {
   Scene scene;
   const auto path = samplePath(1, 11);  // x from 0 to 20
-  scene.setPath(path->data());
+  scene.setPath(path->prepared());
   // Looking down: x and y of ±32 mm fill a square of 640 pixels.
   Scene::Ray ray;
   ray.worldToClip = {1.0 / 32, 0, 0, 0, 0, 1.0 / 32, 0, 0, 0, 0, -1.0 / 100, 0, 0, 0, 0, 1};
@@ -127,7 +127,7 @@ TEST(Scene, PicksFacesAndEdgesOfAPart) {
   mesh.edgePositions = {0, 0, 0, 10, 0, 0};
   mesh.edgeBegin = {0, 2};
   mesh.edgeIds = {3};
-  scene.setParts({mesh});
+  scene.setParts({prepare(mesh)});
   scene.setPartStyle(PartStyle::Solid);
   Scene::Ray ray;
   ray.worldToClip = {1.0 / 32, 0, 0, 0, 0, 1.0 / 32, 0, 0, 0, 0, -1.0 / 100, 0, 0, 0, 0, 1};

@@ -27,7 +27,8 @@ class WindowFiles : public ::testing::Test {
 protected:
   void SetUp() override {
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
   }
 
   void drop(const std::filesystem::path& file) {

@@ -36,7 +36,8 @@ protected:
   void SetUp() override {
     window.resize(1240, 960);
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
     ASSERT_TRUE(window.openFile(test::copyOf("elbow", folder.path()))) << utf8(window.noticeText());
     ASSERT_TRUE(waitSettled(window));
     window.tree().select({"operations", "planar"});
@@ -124,11 +125,11 @@ TEST_F(Window, TheWorkOfAUserFromOpeningToExport) {
   auto* slider = window.findChild<QSlider*>("moveSlider");
   const std::size_t last = window.viewState().move();
   QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
-  QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
-  EXPECT_LT(window.viewState().move(), last);
+  EXPECT_NEAR(static_cast<double>(window.viewState().move()), last / 4.0, last / 50.0);
   EXPECT_LT(colourful(kept("scrubbed")), colourful(first));
+  const std::size_t scrubbed = window.viewState().move();
   QTest::keyClick(slider, Qt::Key_Right);
-  EXPECT_LE(window.viewState().move(), last);
+  EXPECT_EQ(window.viewState().move(), scrubbed + 1);
 
   // Drag the upper thumb of the layers down.
   auto* thumbs = window.findChild<LayerSlider*>("layerSlider");
