@@ -12,11 +12,14 @@
 #include "widgets/text.hpp"
 #include "widgets/theme.hpp"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
@@ -338,8 +341,18 @@ void MainWindow::dropEvent(QDropEvent* event) {
   importFiles(parts);
 }
 
-void MainWindow::changeEvent(QEvent* event) {
-  QMainWindow::changeEvent(event);
+bool MainWindow::event(QEvent* event) {
+  // The space bar presses buttons and checks items where the focus is on one; elsewhere it plays.
+  if (event->type() == QEvent::ShortcutOverride &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+    QWidget* focus = QApplication::focusWidget();
+    if (qobject_cast<QAbstractButton*>(focus) != nullptr ||
+        qobject_cast<QAbstractItemView*>(focus) != nullptr) {
+      event->accept();
+      return true;
+    }
+  }
+  return QMainWindow::event(event);
 }
 
 void MainWindow::applyTheme(bool dark) {

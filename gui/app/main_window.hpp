@@ -80,7 +80,7 @@ protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  void changeEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
@@ -154,6 +154,8 @@ private:
   void hideNotice();
   void screenshot();
   [[nodiscard]] std::string shownOperation() const;
+  /// The part that a pick names, or null.
+  [[nodiscard]] const GeneratedPart* pickedPart(const viewport::Pick& pick) const;
   [[nodiscard]] std::map<NodeRef, Badge> badges() const;
   [[nodiscard]] std::vector<FindingRow> findingRows() const;
   void setPartStyle(viewport::PartStyle style);

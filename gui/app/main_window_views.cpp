@@ -84,6 +84,17 @@ std::string MainWindow::shownOperation() const {
   return {};
 }
 
+const GeneratedPart* MainWindow::pickedPart(const viewport::Pick& pick) const {
+  // The view counts the parts that could be read.
+  int index = 0;
+  for (const GeneratedPart& part : session_->generated().parts) {
+    if (part.mesh && index++ == pick.part) {
+      return &part;
+    }
+  }
+  return nullptr;
+}
+
 void MainWindow::showNode(const NodeRef& node) {
   if (node.list == "operations" && !node.id.empty() && node.id != chosenOperation_) {
     chosenOperation_ = node.id;
@@ -383,12 +394,10 @@ QString moveTip(const PathModel& path, std::size_t move) {
 
 void MainWindow::showTip(const viewport::Pick& pick, const QPoint& global) {
   QString tip;
-  const Generated& results = session_->generated();
   if (pick.kind == viewport::Pick::Kind::Move && state_.path()) {
     tip = moveTip(*state_.path(), static_cast<std::size_t>(pick.index));
-  } else if (pick.part >= 0 && pick.part < static_cast<int>(results.parts.size()) &&
-             results.parts[static_cast<std::size_t>(pick.part)].part) {
-    const auto& brep = results.parts[static_cast<std::size_t>(pick.part)].part->surface->brep;
+  } else if (const GeneratedPart* part = pickedPart(pick)) {
+    const auto& brep = part->part->surface->brep;
     if (pick.kind == viewport::Pick::Kind::Face && brep && pick.index >= 0) {
       tip = tr("<b>Face %1</b><br/>%2").arg(pick.index).arg(qt(brep->face(pick.index).surfaceType));
     } else if (pick.kind == viewport::Pick::Kind::Edge && brep && pick.index >= 0) {
@@ -460,11 +469,10 @@ void MainWindow::nodeMenu(const NodeRef& node, const QPoint& global) {
 
 void MainWindow::pickMenu(const viewport::Pick& pick, const QPoint& global) {
   QMenu menu(this);
-  const Generated& results = session_->generated();
   const project::Project& project = session_->document().project();
-  const bool ofPart = pick.part >= 0 && pick.part < static_cast<int>(results.parts.size());
-  const std::string part =
-      ofPart ? results.parts[static_cast<std::size_t>(pick.part)].id : std::string();
+  const GeneratedPart* picked = pickedPart(pick);
+  const bool ofPart = picked != nullptr;
+  const std::string part = ofPart ? picked->id : std::string();
   const std::string operation = shownOperation();
   if (ofPart && pick.kind == viewport::Pick::Kind::Edge && pick.index >= 0) {
     menu.addAction(

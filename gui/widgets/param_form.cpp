@@ -152,7 +152,7 @@ void ParamForm::setSections(const std::string& identity,
     const auto& y = b.schema.defs();
     return a.id == b.id && a.readOnly == b.readOnly && x.size() == y.size() &&
            std::equal(x.begin(), x.end(), y.begin(), [](const ParamDef& p, const ParamDef& q) {
-             return p.info.key == q.info.key && p.type == q.type &&
+             return p.info.key == q.info.key && p.type == q.type && p.info.label == q.info.label &&
                     std::equal(p.info.choices.begin(), p.info.choices.end(), q.info.choices.begin(),
                                q.info.choices.end(),
                                [](const ParamChoice& c, const ParamChoice& d) {
@@ -174,6 +174,11 @@ void ParamForm::setSections(const std::string& identity,
 void ParamForm::rebuild() {
   rows_.clear();
   groups_.clear();
+  // The field that was edited may be one of the old ones, and is still in its signal.
+  if (QWidget* old = scroll_->takeWidget()) {
+    old->hide();
+    old->deleteLater();
+  }
   body_ = new QWidget;
   auto* layout = new QVBoxLayout(body_);
   layout->setContentsMargins(0, 2, 6, 8);

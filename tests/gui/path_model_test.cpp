@@ -25,7 +25,7 @@ const Generated& elbow() {
     const auto plugins =
         std::make_shared<const plugin::PluginHost>(plugin::defaultPluginSearch({}, false));
     const project::Pipeline pipeline(project::loadProject(file).document, file, plugins);
-    return generate(pipeline, "guide", JobContext(), [](const Generated&) {});
+    return generate(pipeline, "guide", Generated(), JobContext(), [](const Generated&) {});
   }();
   return result;
 }
@@ -38,8 +38,10 @@ TEST(Generation, GivesPartsAndOperationsTheWantedOneFirst) {
   const Generated& result = elbow();
   EXPECT_FALSE(result.error);
   ASSERT_EQ(result.parts.size(), 1U);
-  EXPECT_FALSE(result.parts[0].mesh->empty());
-  EXPECT_GT(result.parts[0].mesh->edgeBegin.size(), 1U) << "CAD edges are drawn";
+  EXPECT_TRUE(result.parts[0].mesh != nullptr);
+  const viewport::MeshData mesh = meshOf(*result.parts[0].part->surface);
+  EXPECT_FALSE(mesh.empty());
+  EXPECT_GT(mesh.edgeBegin.size(), 1U) << "CAD edges are drawn";
   ASSERT_EQ(result.operations.size(), 2U);
   EXPECT_EQ(result.operations[0].id, "guide");
   EXPECT_TRUE(result.cell != nullptr);
@@ -189,13 +191,34 @@ TEST(Generation, KeepsTheErrorOfABrokenPartWithIt) {
       {"part.set",
        Value::object({{"id", "elbow"},
                       {"file", Value::object({{"path", "missing.step"}, {"sha256", ""}})}})});
-  const Generated result = generate(project::Pipeline(document, file, plugins), {}, JobContext(),
-                                    [](const Generated&) {});
+  const Generated result = generate(project::Pipeline(document, file, plugins), {}, Generated(),
+                                    JobContext(), [](const Generated&) {});
   ASSERT_TRUE(result.error);
   EXPECT_EQ(result.error->code(), ErrorCode::InputNotFound);
   ASSERT_TRUE(result.parts[0].error);
   EXPECT_EQ(result.operations.size(), 2U);
   EXPECT_TRUE(result.operations[0].error);
+}
+
+TEST(Generation, KeepsWhatIsTheSame) {
+  const std::filesystem::path file =
+      std::filesystem::path(WCAM_RESOURCES) / "projects/elbow/elbow.wcam";
+  const auto plugins =
+      std::make_shared<const plugin::PluginHost>(plugin::defaultPluginSearch({}, false));
+  const auto cache = std::make_shared<project::StageCache>();
+  project::Document document = project::loadProject(file).document;
+  const auto run = [&](const Generated& before) {
+    return generate(project::Pipeline(document, file, plugins, cache), {}, before, JobContext(),
+                    [](const Generated&) {});
+  };
+  const Generated first = run({});
+  document = project::apply(
+      document,
+      {"operation.set_param", Value::object({{"id", "planar"}, {"key", "step"}, {"value", 9.0}})});
+  const Generated second = run(first);
+  EXPECT_EQ(second.parts[0].mesh, first.parts[0].mesh);
+  EXPECT_EQ(second.operation("guide")->path, first.operation("guide")->path);
+  EXPECT_NE(second.operation("planar")->path, first.operation("planar")->path);
 }
 
 }  // namespace
