@@ -91,7 +91,9 @@ void CommandLine::addSelection(CLI::App& target) {
           "Change a parameter for this run, e.g. step=2.5mm or elbow.params.step=2mm (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  target.add_option("--report", options_.report, "Write the report to this file as well")
+  target
+      .add_option("--report", options_.report,
+                  "Write the report to this file as well; FILE.html makes a page with plots")
       ->type_name("FILE");
 }
 

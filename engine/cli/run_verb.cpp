@@ -5,6 +5,7 @@
 #include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/project/commands.hpp"
+#include "wcam/project/html_report.hpp"
 #include "wcam/project/project_file.hpp"
 #include "wcam/project/run.hpp"
 
@@ -201,7 +202,9 @@ int runProjectVerb(const Session& session) {
   const project::RunResult result = project::runProject(pipeline, request, session.context);
   session.console.endProgress();
   if (!reportFile.empty()) {
-    writeFileAtomically(reportFile, toCanonicalJson(result.report));
+    writeFileAtomically(reportFile, reportFile.extension() == ".html"
+                                        ? project::htmlReport(document, result)
+                                        : toCanonicalJson(result.report));
   }
   tell(session, result, request.folder);
   if (session.options.json) {

@@ -75,6 +75,8 @@ public:
   /// The message that is shown above the view; empty when there is none.
   [[nodiscard]] QString noticeText() const;
   void applyTheme(bool dark);
+  /// Writes the HTML report in the background.
+  void writeReport(const std::filesystem::path& file);
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -131,6 +133,7 @@ private:
   void chooseCell();
   void dropPart();
   void showExport();
+  void saveReport();
   void locateFile(const std::string& list, const std::string& id);
   bool run(const project::Command& command, const std::string& mergeKey = {});
   bool runAll(const QString& label, const std::vector<project::Command>& commands);

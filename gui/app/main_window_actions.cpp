@@ -62,6 +62,9 @@ void MainWindow::buildFileActions() {
   actions_->add("file.export", menu, tr("&Export programs…"),
                 tr("Compute everything and write the robot programs"), "Ctrl+E", "export",
                 [this] { showExport(); });
+  actions_->add("file.report", menu, tr("Save repor&t…"),
+                tr("Save figures, plots, findings and settings as one HTML page"), "Ctrl+R", {},
+                [this] { saveReport(); });
   actions_->add("file.screenshot", menu, tr("Save &picture…"), tr("Save the 3D view as a PNG file"),
                 "Ctrl+Shift+P", "camera", [this] { screenshot(); });
   actions_->separate(menu);

@@ -4,6 +4,7 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/project/html_report.hpp"
 
 #include "dialogs.hpp"
 #include "main_window.hpp"
@@ -12,6 +13,7 @@
 #include "widgets/text.hpp"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QClipboard>
 #include <QDir>
 #include <QFileDialog>
@@ -467,6 +469,43 @@ void MainWindow::moveNode(int by) {
 void MainWindow::showExport() {
   ExportDialog dialog(*session_, this);
   dialog.exec();
+}
+
+void MainWindow::saveReport() {
+  const std::filesystem::path base = session_->base();
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save report"), qt(pathText(base.parent_path() / (base.stem().string() + ".html"))),
+      tr("Web pages (*.html)"));
+  if (!file.isEmpty()) {
+    writeReport(pathFromText(utf8(file)));
+  }
+}
+
+void MainWindow::writeReport(const std::filesystem::path& file) {
+  std::vector<project::ReportPicture> pictures;
+  if (view_ != nullptr) {
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    view_->picture().save(&buffer, "PNG");
+    pictures.push_back({utf8(tr("View")), "data:image/png;base64," + png.toBase64().toStdString()});
+  }
+  session_->tasks().start(
+      {utf8(tr("Report")),
+       [file, pictures, pipeline = session_->pipeline()](const JobContext& context) {
+         project::RunRequest request;
+         request.folder = file.parent_path();
+         request.checkOnly = true;
+         const project::RunResult result = project::runProject(pipeline, request, context);
+         writeFileAtomically(file, project::htmlReport(pipeline.document(), result, pictures));
+       },
+       [this, file](const std::optional<Error>& error) {
+         if (!error) {
+           notify(Status::Ok, tr("The report is written to %1").arg(qt(pathText(file))));
+         } else if (error->code() != ErrorCode::Cancelled) {
+           notify(Status::Error, errorText(*error));
+         }
+       }});
 }
 
 }  // namespace wcam::gui

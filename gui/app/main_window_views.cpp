@@ -442,6 +442,9 @@ void MainWindow::nodeMenu(const NodeRef& node, const QPoint& global) {
   } else if (node.list == "parts") {
     add("file.import");
     add("project.drop");
+    if (!node.id.empty()) {
+      menu.addAction(tr("Locate file…"), this, [this, node] { locateFile("parts", node.id); });
+    }
   } else if (node.list == "substrates") {
     add("project.add_substrate");
   } else if (node.list == "guides") {

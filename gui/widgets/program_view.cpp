@@ -53,7 +53,12 @@ ProgramView::ProgramView(ViewState& state, QWidget* parent) : QWidget(parent), s
   layout->addLayout(top);
   layout->addWidget(text_, 1);
   connect(output_, &QComboBox::activated, this, &ProgramView::wanted);
-  connect(file_, &QComboBox::activated, this, &ProgramView::showFile);
+  connect(file_, &QComboBox::activated, this, [this](int index) {
+    // The chosen file stays until the move changes.
+    browsing_ = true;
+    showFile(index);
+    browsing_ = false;
+  });
   connect(text_, &QPlainTextEdit::cursorPositionChanged, this, &ProgramView::jump);
   listener_ = state_.listen([this](unsigned changes) {
     if ((changes & (ViewState::MoveChanged | ViewState::PathChanged)) != 0 && isVisible()) {
@@ -126,29 +131,28 @@ void ProgramView::showMove() {
   if (!program_ || !program_->linked || !state_.path()) {
     return;
   }
+  // The last line before or at the move, in whichever file it stands.
   const auto move = static_cast<std::int32_t>(state_.move());
-  // In the shown file first; the move may be in another file of the program.
-  const auto lineIn = [&](int index) {
-    const auto& moves = program_->files[static_cast<std::size_t>(index)].moveOfLine;
-    int best = -1;
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      if (moves[i] >= 0 && moves[i] <= move) {
-        best = static_cast<int>(i);
-      }
-      if (moves[i] > move) {
-        return moves[i] >= 0 && best >= 0 ? best : -1;
+  int file = -1;
+  int line = -1;
+  std::int32_t best = -1;
+  for (std::size_t f = 0; f < program_->files.size(); ++f) {
+    const auto& moves = program_->files[f].moveOfLine;
+    for (std::size_t i = 0; i < moves.size() && moves[i] <= move; ++i) {
+      if (moves[i] > best) {
+        best = moves[i];
+        file = static_cast<int>(f);
+        line = static_cast<int>(i);
       }
     }
-    return best;
-  };
-  int index = std::max(file_->currentIndex(), 0);
-  int line = lineIn(index);
-  for (int i = 0; line < 0 && i < static_cast<int>(program_->files.size()); ++i) {
-    if (lineIn(i) >= 0) {
-      file_->setCurrentIndex(i);
-      showFile(i);
+  }
+  if (file >= 0 && file != file_->currentIndex()) {
+    if (browsing_) {
       return;
     }
+    file_->setCurrentIndex(file);
+    showFile(file);
+    return;
   }
   if (line < 0 || line == marked_) {
     return;

@@ -56,6 +56,7 @@ private:
   std::shared_ptr<const ProgramText> program_;
   int marked_ = -1;
   bool following_ = false;
+  bool browsing_ = false;
 };
 
 }  // namespace wcam::gui

@@ -2761,6 +2761,42 @@
         <source>The picture cannot be written to %1</source>
         <translation>L’image ne peut pas être écrite dans %1</translation>
     </message>
+    <message>
+        <source>The program was not closed properly. The project that was never saved can be recovered.</source>
+        <translation>Le programme n’a pas été fermé correctement. Le projet jamais enregistré peut être récupéré.</translation>
+    </message>
+    <message>
+        <source>Locate file…</source>
+        <translation>Retrouver le fichier…</translation>
+    </message>
+    <message>
+        <source>Save repor&amp;t…</source>
+        <translation>Enregistrer un rappor&amp;t…</translation>
+    </message>
+    <message>
+        <source>Save figures, plots, findings and settings as one HTML page</source>
+        <translation>Enregistrer chiffres, courbes, constats et réglages en une page HTML</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>The report is written to %1</source>
+        <translation>Le rapport est écrit dans %1</translation>
+    </message>
 </context>
 <context>
     <name>wcam::gui::MoveBar</name>

@@ -133,15 +133,16 @@ TEST_F(Offscreen, TheProgramTextFollowsTheMoveAndBack) {
   window.tree().select({"operations", "planar"});
   window.actions().action("view.program")->trigger();
   ASSERT_TRUE(waitFor([&] { return window.program().editor().toPlainText().contains("P["); }));
-  window.viewState().setMove(100);
+  const std::size_t first = window.viewState().path()->layerBegin(1) + 10;
+  window.viewState().setMove(first);
   ASSERT_TRUE(waitFor([&] { return window.program().markedLine() > 0; }));
   const int line = window.program().markedLine();
-  window.viewState().setMove(200);
-  EXPECT_GT(window.program().markedLine(), line);
+  window.viewState().setMove(first + 5);
+  EXPECT_EQ(window.program().markedLine(), line + 5);
   // A click on the first line goes back to its move.
-  QTextCursor cursor(window.program().editor().document()->findBlockByNumber(line));
-  window.program().editor().setTextCursor(cursor);
-  EXPECT_EQ(window.viewState().move(), 100U);
+  window.program().editor().setTextCursor(
+      QTextCursor(window.program().editor().document()->findBlockByNumber(line)));
+  EXPECT_EQ(window.viewState().move(), first);
 }
 
 TEST_F(Offscreen, AJobThatRunsIsCancelledAndTheOldResultStaysMarkedAsStale) {
@@ -170,6 +171,17 @@ TEST_F(Offscreen, ClosingWhileAJobRunsEnds) {
     QTest::mouseClick(message->button(QMessageBox::Discard), Qt::LeftButton);
   });
   EXPECT_TRUE(window.close());
+}
+
+TEST_F(Offscreen, TheReportIsAPageOfTheProject) {
+  open();
+  window.writeReport(folder / "report.html");
+  ASSERT_TRUE(waitFor([&] { return !window.noticeText().isEmpty(); }));
+  const std::string html = readFile(folder / "report.html");
+  for (const char* wanted :
+       {"Operation planar", "Operation guide", "<svg", "J6", "&quot;step&quot;"}) {
+    EXPECT_NE(html.find(wanted), std::string::npos) << wanted;
+  }
 }
 
 TEST_F(Offscreen, TemplatesBecomeProjectsWhoseFilesAreCopiedOnSaving) {

@@ -226,6 +226,7 @@ TEST_F(Window, ScenesShowWhatIsChosen) {
 }
 
 TEST_F(Window, ADragTurnsTheViewAndTheWheelComesNearer) {
+  QTest::keyClick(window.view(), Qt::Key_0);
   const QImage before = picture();
   const QPoint middle(window.view()->width() / 2, window.view()->height() / 2);
   QTest::mousePress(window.view(), Qt::LeftButton, {}, middle);
