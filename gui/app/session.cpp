@@ -129,6 +129,7 @@ std::filesystem::path Session::base() const {
 }
 
 void Session::setHistory(const project::Document& document) {
+  ++epoch_;
   history_ = std::make_unique<project::History>(document);
 }
 
@@ -299,7 +300,10 @@ void Session::regenerate() {
   delay_.stop();
   const std::uint64_t state = history_->stateId();
   auto result = std::make_shared<Generated>();
-  const auto show = [this, state](const Generated& partial) {
+  const auto show = [this, state, epoch = epoch_](const Generated& partial) {
+    if (epoch != epoch_) {
+      return;  // of a project that was closed
+    }
     // What is not there yet keeps its old picture.
     Generated next = partial;
     next.state = state;
@@ -333,7 +337,10 @@ void Session::regenerate() {
                                              runner->deliver([show, partial] { show(partial); });
                                            });
                       },
-                      [this, result, state](const std::optional<Error>& error) {
+                      [this, result, state, epoch = epoch_](const std::optional<Error>& error) {
+                        if (epoch != epoch_) {
+                          return;
+                        }
                         if (error && error->code() == ErrorCode::Cancelled) {
                           emit stateChanged();
                           return;

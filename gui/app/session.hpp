@@ -124,7 +124,8 @@ private:
   QTimer autosave_;
   QTimer delay_;
   std::uint64_t autosaved_ = 0;
-  bool recovered_ = false;  ///< the document came from an autosave and is not on disk
+  bool recovered_ = false;   ///< the document came from an autosave and is not on disk
+  std::uint64_t epoch_ = 0;  ///< raised with every project that is opened
   Generated generated_;
   std::string first_;
   std::unique_ptr<JobRunner> generation_;
