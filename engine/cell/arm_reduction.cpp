@@ -182,6 +182,12 @@ Arm reduceArm(const Chain& chain) {
                 "the robot has " + std::to_string(chain.size()) + " joints", "robot",
                 "the closed-form inverse kinematics needs 6 revolute joints");
   }
+  for (const Joint& joint : chain.joints) {
+    if (joint.prismatic()) {
+      throw Error(ErrorCode::ProjectInvalid, "joint " + joint.name + " of the robot is prismatic",
+                  "robot", "the closed-form inverse kinematics of an arm needs 6 revolute joints");
+    }
+  }
   const Vector6 zero = Vector6::Zero();
   const ChainAxes axes = chainAxes(chain, zero.data());
   const Vec3 centre = wristCentre(axes);

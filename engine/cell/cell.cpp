@@ -5,6 +5,8 @@
 
 #include "wcam/base/error.hpp"
 
+#include "inverse_detail.hpp"
+
 namespace wcam::cell {
 
 const Joint& Cell::joint(int index) const {
@@ -13,8 +15,31 @@ const Joint& Cell::joint(int index) const {
                                : positioner.joints[static_cast<std::size_t>(index - robotJoints())];
 }
 
+JointVector Cell::fromConvention(const std::string& wanted, const JointVector& shown) const {
+  std::string names;
+  for (const ZeroConvention& convention : zeroConventions) {
+    if (convention.name == wanted) {
+      JointVector q = shown;
+      q.head(convention.offsets.size()) -= convention.offsets;
+      return q;
+    }
+    names += (names.empty() ? "" : ", ") + convention.name;
+  }
+  throw Error(ErrorCode::InvalidArgument, "there is no zero convention '" + wanted + "'",
+              "cell " + name,
+              names.empty() ? "the cell file declares none" : "the cell file declares: " + names);
+}
+
 Vec3 Cell::verticalInBase() const {
   return T_world_base.linear().row(2).transpose();
+}
+
+double JointSum::value(const JointVector& q) const {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < factors.size(); ++j) {
+    sum += factors[j] * q(static_cast<Eigen::Index>(j));
+  }
+  return sum;
 }
 
 void prepareArm(Cell& cell) {
@@ -25,6 +50,7 @@ void prepareArm(Cell& cell) {
   } catch (const Error& error) {
     cell.armProblem = error.message() + "; " + error.hint();
   }
+  cell.inverse = detail::makeInverse(cell);
 }
 
 }  // namespace wcam::cell

@@ -9,11 +9,13 @@
 #include "wcam/base/text.hpp"
 #include "wcam/cell/angles.hpp"
 #include "wcam/cell/cell.hpp"
+#include "wcam/cell/joint_text.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -27,7 +29,11 @@ constexpr double kOrthonormal = 1e-9;
 /// Beyond this the axes are no rotation with rounding errors but a mistake.
 constexpr double kNotARotation = 0.05;
 constexpr int kRobotJoints = 6;
+/// A machine whose tool cannot turn about its own axis; with a torch only.
+constexpr int kFewestRobotJoints = 5;
 constexpr int kMaxPositionerJoints = 2;
+/// Joints that a JointVector holds.
+constexpr int kMostJoints = 12;
 
 std::string joinPath(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
@@ -281,16 +287,39 @@ Pose Reader::pose(const Value& parent,
   return result;
 }
 
+/// [min, max] in the file's unit.
+std::array<double, 2> readRange(Reader& reader,
+                                const Value& value,
+                                const std::string& path,
+                                const std::string& unit) {
+  if (!value.isArray() || value.size() != 2) {
+    reader.problem(path, "expected [min, max] in " + unit);
+    return {-1.0, 1.0};
+  }
+  const std::array<double, 2> range = {reader.number(value.asArray()[0], path + "[0]"),
+                                       reader.number(value.asArray()[1], path + "[1]")};
+  if (!(range[0] < range[1]) && value.asArray()[0].isNumber() && value.asArray()[1].isNumber()) {
+    reader.problem(path, "the minimum must be below the maximum");
+  }
+  return range;
+}
+
 void readLimits(Reader& reader, const Value& value, const std::string& path, Joint& joint) {
   const Value* limits = value.find("limits");
   const Value* endless = value.find("endless");
+  const std::string unit = joint.prismatic() ? "mm" : "degrees";
   joint.endless = endless != nullptr && endless->isBool() && endless->asBool();
   if (endless != nullptr && !endless->isBool()) {
     reader.problem(joinPath(path, "endless"), "expected true or false");
   }
+  if (joint.endless && joint.prismatic()) {
+    reader.problem(joinPath(path, "endless"), "a prismatic joint ends somewhere; give its limits");
+    return;
+  }
   if (limits == nullptr) {
     if (!joint.endless) {
-      reader.problem(path, "needs \"limits\": [min, max] in degrees or \"endless\": true");
+      reader.problem(path, "needs \"limits\": [min, max] in " + unit +
+                               (joint.prismatic() ? "" : " or \"endless\": true"));
     }
     return;
   }
@@ -298,15 +327,20 @@ void readLimits(Reader& reader, const Value& value, const std::string& path, Joi
     reader.problem(path, "has limits and is endless; keep one");
     return;
   }
-  if (!limits->isArray() || limits->size() != 2) {
-    reader.problem(joinPath(path, "limits"), "expected [min, max] in degrees");
+  const auto range = readRange(reader, *limits, joinPath(path, "limits"), unit);
+  joint.min = fromJointUnit(joint, range[0]);
+  joint.max = fromJointUnit(joint, range[1]);
+}
+
+void readType(Reader& reader, const Value& value, const std::string& path, Joint& joint) {
+  if (!value.contains("type")) {
     return;
   }
-  joint.min = degToRad(reader.number(limits->asArray()[0], joinPath(path, "limits[0]")));
-  joint.max = degToRad(reader.number(limits->asArray()[1], joinPath(path, "limits[1]")));
-  if (!(joint.min < joint.max) && limits->asArray()[0].isNumber() &&
-      limits->asArray()[1].isNumber()) {
-    reader.problem(joinPath(path, "limits"), "the minimum must be below the maximum");
+  const std::string type = reader.text(value, path, "type", false);
+  if (type == "prismatic") {
+    joint.type = JointType::Prismatic;
+  } else if (type != "revolute" && value.find("type")->isString()) {
+    reader.problem(joinPath(path, "type"), "is neither revolute nor prismatic, but '" + type + "'");
   }
 }
 
@@ -342,10 +376,12 @@ Joint readJoint(Reader& reader,
     reader.problem(path, std::string("expected an object, got ") + toString(value.type()));
     return joint;
   }
-  reader.knownKeys(value, path,
-                   {"name", "alpha", "d", "theta", "r", "sign", "coupling", "limits", "endless",
-                    "max_speed", "max_acceleration", "max_jerk", "ratio", "resolution"});
+  reader.knownKeys(
+      value, path,
+      {"name", "type", "alpha", "d", "theta", "r", "sign", "coupling", "limits", "endless",
+       "max_speed", "max_acceleration", "max_jerk", "ratio", "resolution", "backlash"});
   joint.name = reader.text(value, path, "name", true);
+  readType(reader, value, path, joint);
   joint.alpha = degToRad(reader.number(value, path, "alpha", true, 0.0));
   joint.d = reader.number(value, path, "d", true, 0.0);
   joint.theta = degToRad(reader.number(value, path, "theta", true, 0.0));
@@ -357,12 +393,16 @@ Joint readJoint(Reader& reader,
   }
   readCoupling(reader, value, path, before, joint);
   readLimits(reader, value, path, joint);
-  joint.maxSpeed = degToRad(reader.positive(value, path, "max_speed", true, 1.0));
+  const auto positive = [&](const char* key, bool required, double fallback) {
+    return fromJointUnit(joint, reader.positive(value, path, key, required, fallback));
+  };
   const double inf = std::numeric_limits<double>::infinity();
-  joint.maxAcceleration = degToRad(reader.positive(value, path, "max_acceleration", false, inf));
-  joint.maxJerk = degToRad(reader.positive(value, path, "max_jerk", false, inf));
+  joint.maxSpeed = positive("max_speed", true, 1.0);
+  joint.maxAcceleration = positive("max_acceleration", false, inf);
+  joint.maxJerk = positive("max_jerk", false, inf);
   joint.ratio = reader.positive(value, path, "ratio", false, 0.0);
-  joint.resolution = degToRad(reader.positive(value, path, "resolution", false, 0.0));
+  joint.resolution = positive("resolution", false, 0.0);
+  joint.backlash = positive("backlash", false, 0.0);
   return joint;
 }
 
@@ -382,19 +422,53 @@ void readJoints(Reader& reader, const Value& parent, const std::string& path, Ch
   }
 }
 
+/// After the joints, whose units the offsets have.
+void readZeroConventions(Reader& reader, const Value& robot, Cell& cell) {
+  const Value* conventions = reader.object(robot, "robot", "zero_conventions", false);
+  if (conventions == nullptr) {
+    return;
+  }
+  for (const auto& [name, offsets] : conventions->asObject()) {
+    if (name == "comment") {
+      continue;
+    }
+    const std::string path = "robot.zero_conventions." + name;
+    if (!offsets.isArray() || offsets.size() != cell.robot.joints.size()) {
+      reader.problem(path, "expected a list of " + std::to_string(cell.robot.size()) +
+                               " offsets, one per joint");
+      continue;
+    }
+    ZeroConvention convention{name, JointVector(cell.robot.size())};
+    for (int j = 0; j < cell.robot.size(); ++j) {
+      const auto i = static_cast<std::size_t>(j);
+      convention.offsets(j) =
+          fromJointUnit(cell.robot.joints[i],
+                        reader.number(offsets.asArray()[i], path + "[" + std::to_string(j) + "]"));
+    }
+    cell.zeroConventions.push_back(std::move(convention));
+  }
+}
+
 void readRobot(Reader& reader, const Value& file, Cell& cell) {
   const Value* robot = reader.object(file, "", "robot", true);
   if (robot == nullptr) {
     return;
   }
-  reader.knownKeys(*robot, "robot", {"name", "T_world_base", "joints", "T_last_flange"});
+  reader.knownKeys(*robot, "robot",
+                   {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions", "collision"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);
   cell.robot.T_last_tip = reader.pose(*robot, "robot", "T_last_flange", false);
   readJoints(reader, *robot, "robot", cell.robot);
+  if (cell.robot.size() <= kMostJoints) {
+    readZeroConventions(reader, *robot, cell);
+  }
   if (robot->contains("joints") && robot->at("joints").isArray() &&
-      cell.robot.size() != kRobotJoints) {
-    reader.problem("robot.joints", "expected 6 joints, got " + std::to_string(cell.robot.size()));
+      cell.robot.size() != kRobotJoints &&
+      (cell.partCarried() || cell.robot.size() != kFewestRobotJoints)) {
+    reader.problem("robot.joints", "expected 6 joints" +
+                                       std::string(cell.partCarried() ? "" : " (or 5)") + ", got " +
+                                       std::to_string(cell.robot.size()));
   }
 }
 
@@ -464,6 +538,32 @@ void checkVersion(const Value& file, const std::string& contextName) {
   }
 }
 
+/// Frames that shapes can be fixed to.
+std::vector<std::string> frameNames(const Cell& cell) {
+  std::vector<std::string> names = {"world", "base", "flange", "tcp", "table"};
+  for (int j = 0; j < cell.jointCount(); ++j) {
+    names.push_back(cell.joint(j).name);
+  }
+  return names;
+}
+
+CellShapes readCellShapes(Reader& reader,
+                          const Value& file,
+                          const Cell& cell,
+                          const std::filesystem::path& folder,
+                          const JobContext& context) {
+  ShapeReading reading;
+  reading.problem = [&](const std::string& path, const std::string& message) {
+    reader.problem(path, message);
+  };
+  reading.pose = [&](const Value& parent, const std::string& path, const std::string& key) {
+    return reader.pose(parent, path, key, false);
+  };
+  reading.frames = frameNames(cell);
+  reading.folder = folder;
+  return readShapes(file, reading, context);
+}
+
 void checkNames(Reader& reader, const Cell& cell) {
   std::set<std::string> names;
   for (int j = 0; j < cell.jointCount(); ++j) {
@@ -475,9 +575,70 @@ void checkNames(Reader& reader, const Cell& cell) {
   }
 }
 
+/// Index of a joint by its name; the number of joints when there is none.
+int jointIndex(const Cell& cell, const std::string& name) {
+  int j = 0;
+  while (j < cell.jointCount() && cell.joint(j).name != name) {
+    ++j;
+  }
+  return j;
+}
+
+void readSum(Reader& reader, const Value& value, const std::string& path, Cell& cell) {
+  if (!value.isObject()) {
+    reader.problem(path, std::string("expected an object, got ") + toString(value.type()));
+    return;
+  }
+  reader.knownKeys(value, path, {"name", "joints", "limits"});
+  JointSum sum;
+  sum.name = reader.text(value, path, "name", true);
+  sum.factors.assign(static_cast<std::size_t>(cell.jointCount()), 0.0);
+  bool linear = false;
+  bool rotary = false;
+  if (const Value* joints = reader.object(value, path, "joints", true); joints != nullptr) {
+    for (const auto& [name, factor] : joints->asObject()) {
+      const std::string place = joinPath(joinPath(path, "joints"), name);
+      const int j = jointIndex(cell, name);
+      if (j == cell.jointCount()) {
+        reader.problem(place, "is not the name of a joint");
+        continue;
+      }
+      (cell.joint(j).prismatic() ? linear : rotary) = true;
+      sum.factors[static_cast<std::size_t>(j)] = reader.number(factor, place);
+    }
+    if (linear && rotary) {
+      reader.problem(joinPath(path, "joints"), "adds lengths to angles");
+    }
+  }
+  if (const Value* limits = reader.member(value, path, "limits", true); limits != nullptr) {
+    const auto range =
+        readRange(reader, *limits, joinPath(path, "limits"), linear ? "mm" : "degrees");
+    sum.min = linear ? range[0] : degToRad(range[0]);
+    sum.max = linear ? range[1] : degToRad(range[1]);
+  }
+  cell.sums.push_back(std::move(sum));
+}
+
+void readSums(Reader& reader, const Value& file, Cell& cell) {
+  const Value* sums = file.find("sum_limits");
+  if (sums == nullptr) {
+    return;
+  }
+  if (!sums->isArray()) {
+    reader.problem("sum_limits", std::string("expected a list, got ") + toString(sums->type()));
+    return;
+  }
+  for (std::size_t i = 0; i < sums->size(); ++i) {
+    readSum(reader, sums->asArray()[i], "sum_limits[" + std::to_string(i) + "]", cell);
+  }
+}
+
 }  // namespace
 
-Cell cellFromValue(const Value& value, const std::string& contextName, const JobContext& context) {
+Cell cellFromValue(const Value& value,
+                   const std::string& contextName,
+                   const JobContext& context,
+                   const std::filesystem::path& folder) {
   if (!value.isObject()) {
     throw Error(ErrorCode::ProjectInvalid,
                 std::string("expected an object, got ") + toString(value.type()), contextName,
@@ -489,7 +650,7 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
   cell.source = value;
   reader.knownKeys(value, "",
                    {"format_version", "name", "description", "configuration", "robot", "torch",
-                    "positioner", "part_holder"});
+                    "positioner", "part_holder", "sum_limits", "obstacles"});
   cell.name = reader.text(value, "", "name", true);
   cell.description = reader.text(value, "", "description", false);
   readConfiguration(reader, value, cell);
@@ -505,6 +666,8 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
     reader.problem(other, "does not belong to this configuration");
   }
   checkNames(reader, cell);
+  readSums(reader, value, cell);
+  cell.shapes = readCellShapes(reader, value, cell, folder, context);
   reader.finish();
   prepareArm(cell);
   return cell;
@@ -512,7 +675,8 @@ Cell cellFromValue(const Value& value, const std::string& contextName, const Job
 
 Cell loadCell(const std::filesystem::path& file, const JobContext& context) {
   const std::string name = pathText(file);
-  return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context);
+  return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context,
+                       file.parent_path());
 }
 
 }  // namespace wcam::cell

@@ -9,12 +9,19 @@ namespace wcam::cell {
 
 namespace {
 
-double jointAngle(const Joint& joint, int index, const double* q) {
-  double angle = joint.theta + joint.sign * q[index];
+/// What the controller values add to the joint's angle or length.
+double jointMotion(const Joint& joint, int index, const double* q) {
+  double value = joint.sign * q[index];
   for (std::size_t k = 0; k < joint.coupling.size(); ++k) {
-    angle += joint.coupling[k] * q[k];
+    value += joint.coupling[k] * q[k];
   }
-  return angle;
+  return value;
+}
+
+Pose jointTransform(const Joint& joint, int index, const double* q) {
+  const double value = jointMotion(joint, index, q);
+  return joint.prismatic() ? dhTransform(joint.alpha, joint.d, joint.theta, joint.r + value)
+                           : dhTransform(joint.alpha, joint.d, joint.theta + value, joint.r);
 }
 
 }  // namespace
@@ -48,9 +55,19 @@ Pose chainPose(const Chain& chain, const double* q) {
   Pose pose = chain.T_root_first;
   for (int j = 0; j < chain.size(); ++j) {
     const Joint& joint = chain.joints[static_cast<std::size_t>(j)];
-    pose = pose * dhTransform(joint.alpha, joint.d, jointAngle(joint, j, q), joint.r);
+    pose = pose * jointTransform(joint, j, q);
   }
   return pose * chain.T_last_tip;
+}
+
+void chainFrames(const Chain& chain, const double* q, Pose* frames) {
+  Pose pose = chain.T_root_first;
+  for (int j = 0; j < chain.size(); ++j) {
+    const Joint& joint = chain.joints[static_cast<std::size_t>(j)];
+    pose = pose * jointTransform(joint, j, q);
+    frames[j] = pose;
+  }
+  frames[chain.size()] = pose * chain.T_last_tip;
 }
 
 ChainAxes chainAxes(const Chain& chain, const double* q) {
@@ -60,7 +77,7 @@ ChainAxes chainAxes(const Chain& chain, const double* q) {
   Pose pose = chain.T_root_first;
   for (int j = 0; j < chain.size(); ++j) {
     const Joint& joint = chain.joints[static_cast<std::size_t>(j)];
-    pose = pose * dhTransform(joint.alpha, joint.d, jointAngle(joint, j, q), joint.r);
+    pose = pose * jointTransform(joint, j, q);
     axes.points.push_back(pose.translation());
     axes.directions.push_back(pose.linear().col(2));
   }
@@ -75,9 +92,14 @@ Jacobian chainJacobian(const Chain& chain, const double* q, const Vec3& point) {
   for (int j = 0; j < n; ++j) {
     const auto i = static_cast<std::size_t>(j);
     Eigen::Matrix<double, 6, 1> twist;
-    twist.head<3>() = axes.directions[i].cross(point - axes.points[i]);
-    twist.tail<3>() = axes.directions[i];
     const Joint& joint = chain.joints[i];
+    if (joint.prismatic()) {
+      twist.head<3>() = axes.directions[i];
+      twist.tail<3>().setZero();
+    } else {
+      twist.head<3>() = axes.directions[i].cross(point - axes.points[i]);
+      twist.tail<3>() = axes.directions[i];
+    }
     jacobian.col(j) += joint.sign * twist;
     for (std::size_t k = 0; k < joint.coupling.size(); ++k) {
       jacobian.col(static_cast<Eigen::Index>(k)) += joint.coupling[k] * twist;

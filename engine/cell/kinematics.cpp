@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wcam::cell {
@@ -68,7 +69,17 @@ PartJacobian partJacobian(const Cell& cell, const JointVector& q) {
 double dexterity(const Cell& cell, const JointVector& q) {
   const PartJacobian jacobian = partJacobian(cell, q);
   const auto block = jacobian.leftCols(cell.robotJoints());
-  const Eigen::Matrix3d gram = block * block.transpose();
+  Eigen::Matrix3d gram = block * block.transpose();
+  const auto prismatic = [](const Joint& joint) { return joint.prismatic(); };
+  if (std::count_if(cell.robot.joints.begin(), cell.robot.joints.end(), prismatic) >= 3) {
+    // Lengths and angles cannot be compared, and three prismatic joints alone move the point.
+    gram.setZero();
+    for (int j = 0; j < cell.robotJoints(); ++j) {
+      if (cell.joint(j).prismatic()) {
+        gram += jacobian.col(j) * jacobian.col(j).transpose();
+      }
+    }
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gram, Eigen::EigenvaluesOnly);
   const double smallest = std::max(solver.eigenvalues()(0), 0.0);
   const double largest = solver.eigenvalues()(2);
@@ -89,7 +100,8 @@ JointVector jointSpeedsFromMotors(const Cell& cell, const JointVector& motorRpm)
                   "the reduction ratio of joint " + joint.name + " is unknown", "cell " + cell.name,
                   "add \"ratio\" to the joint in the cell file");
     }
-    speeds(j) = motorRpm(j) * 2.0 * kPi / 60.0 / joint.ratio;
+    const double turns = motorRpm(j) / 60.0 / joint.ratio;
+    speeds(j) = joint.prismatic() ? turns : turns * 2.0 * kPi;
   }
   return speeds;
 }

@@ -35,18 +35,25 @@ double turnAbout(const Vec3& axis, const Vec3& from, const Vec3& to, double seed
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }
 
-/// The directions z with k1·z = u and k2·z = v, |z| = 1 (exact up to 2), or the unit direction on
-/// the cone about k2 that comes nearest to the cone about k1.
-std::array<Vec3, 2> meetingDirections(const Vec3& k1, const Vec3& k2, double u, double v) {
+/// The directions z with k1·z = k1·target and k2·z = k2·p, |z| = 1 (exact up to 2), or the unit
+/// direction on the cone about k2 that comes nearest to the cone about k1.
+std::array<Vec3, 2> meetingDirections(const Vec3& k1,
+                                      const Vec3& k2,
+                                      const Vec3& target,
+                                      const Vec3& p) {
+  const double u = k1.dot(target);
+  const double v = k2.dot(p);
   const Vec3 normal = k1.cross(k2);
   const double sine2 = normal.squaredNorm();
   const double c = k1.dot(k2);
   const double alpha = (u - c * v) / sine2;
   const double beta = (v - c * u) / sine2;
   const Vec3 inPlane = alpha * k1 + beta * k2;
-  const double rest = 1.0 - inPlane.squaredNorm();
-  if (rest >= 0.0) {
-    const Vec3 side = normal * std::sqrt(rest / sine2);
+  // Squared volume of (k1, k2, z), from the sines: exact also where both solutions come together.
+  const double volume2 =
+      k1.cross(target).squaredNorm() * k2.cross(p).squaredNorm() - (c - u * v) * (c - u * v);
+  if (volume2 >= 0.0) {
+    const Vec3 side = normal * (std::sqrt(volume2) / sine2);
     return {inPlane + side, inPlane - side};
   }
   // No meeting: an extreme of the cone about k2, in the plane of both axes.
@@ -150,7 +157,7 @@ PositionerResult alignAxis(const Chain& positioner,
   }
   PositionerResult result;
   result.count = 2;
-  const auto directions = meetingDirections(k1, k2, k1.dot(target), k2.dot(p));
+  const auto directions = meetingDirections(k1, k2, target, p);
   for (std::size_t i = 0; i < 2; ++i) {
     const double second = turnAbout(k2, p, directions[i], seeded.second);
     const AxisAngles angles = withSecond(k1, k2, p, target, second, seeded.first);

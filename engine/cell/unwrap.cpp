@@ -13,13 +13,22 @@ namespace wcam::cell {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
-/// Rounding of a value that lies on a limit, rad.
+/// Rounding of a value that lies on a limit, rad and mm.
 constexpr double kLimitSlack = 1e-12;
+constexpr double kLengthSlack = 1e-9;
+
+double slackOf(const Joint& joint) {
+  return joint.prismatic() ? kLengthSlack : kLimitSlack;
+}
 
 bool wholeColumn(const Chain& chain, int column) {
+  if (chain.joints[static_cast<std::size_t>(column)].prismatic()) {
+    return false;
+  }
   for (const Joint& joint : chain.joints) {
     const auto k = static_cast<std::size_t>(column);
-    if (k < joint.coupling.size() && joint.coupling[k] != std::round(joint.coupling[k])) {
+    if (k < joint.coupling.size() && joint.coupling[k] != 0.0 &&
+        (joint.prismatic() || joint.coupling[k] != std::round(joint.coupling[k]))) {
       return false;
     }
   }
@@ -39,7 +48,7 @@ double nearestTurn(double value, double reference) {
 
 double limitExcess(const Joint& joint, double value) {
   const double excess = std::max({joint.min - value, value - joint.max, 0.0});
-  return excess <= kLimitSlack ? 0.0 : excess;
+  return excess <= slackOf(joint) ? 0.0 : excess;
 }
 
 double limitMargin(const Joint& joint, double value) {

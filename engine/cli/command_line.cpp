@@ -73,6 +73,7 @@ CommandLine::CommandLine() : app_(kPurpose) {
                 "Compute and check, write nothing; exit code 5 on violations");
   addCommon(app_);
   addFileVerbs();
+  addPlaceVerb();
   addOtherVerbs();
   app_.require_subcommand(0, 1);
   app_.footer(kExitCodes);
@@ -93,7 +94,7 @@ void CommandLine::addSelection(CLI::App& target) {
       ->allow_extra_args(false);
   target
       .add_option("--report", options_.report,
-                  "Write the report to this file as well; FILE.html makes a page with plots")
+                  "Write the report to this file as well: .html for people, else JSON")
       ->type_name("FILE");
 }
 
@@ -151,6 +152,31 @@ void CommandLine::addFileVerbs() {
   addSelection(*check);
 }
 
+void CommandLine::addPlaceVerb() {
+  CLI::App* place =
+      addVerb(app_, "place", "Search a place of the part on its table that the robot reaches best",
+              placeVerb);
+  place->add_option("--project", options_.file, "Project file")->required()->type_name("FILE");
+  place->add_option("--operation", options_.placedOperation, "Operation whose part is placed")
+      ->required()
+      ->type_name("ID");
+  place->add_option("--range", options_.placeRange, "Greatest move in x and y, mm (default: 200)")
+      ->check(CLI::Range(0.0, 5000.0))
+      ->type_name("MM");
+  place->add_option("--height", options_.placeHeight, "Greatest move in z, mm (default: 0)")
+      ->check(CLI::Range(0.0, 5000.0))
+      ->type_name("MM");
+  place->add_option("--step", options_.placeStep, "Step of the grid, mm (default: 50)")
+      ->check(CLI::Range(1.0, 5000.0))
+      ->type_name("MM");
+  place->add_option("--turn", options_.placeTurn, "Step of the rotation, degrees (default: 30)")
+      ->check(CLI::Range(1.0, 360.0))
+      ->type_name("DEG");
+  place->add_option("--map", options_.map, "Write all places with their margins as CSV")
+      ->type_name("FILE");
+  place->add_flag("--apply", options_.applyPlace, "Move parts and substrate there and save");
+}
+
 void CommandLine::addOtherVerbs() {
   CLI::App* plugins = app_.add_subcommand("plugins", "Plugins")->require_subcommand(1);
   addVerb(*plugins, "list", "List all plugins with verdict and reason", pluginsListVerb);
@@ -158,12 +184,47 @@ void CommandLine::addOtherVerbs() {
       addVerb(app_, "schema", "Print the JSON schema of a component, or the list of components",
               schemaVerb);
   schema->add_option("component", options_.component, "Component id")->type_name("COMPONENT");
+  addSpeedVerb();
   CLI::App* completion =
       app_.add_subcommand("completion", "Print the completion script of a shell");
   completion->add_option("shell", options_.shell, "bash or zsh")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh"}));
   completion->callback([this] { completion_ = true; });
+}
+
+void CommandLine::addSpeedVerb() {
+  CLI::App* speed = addVerb(
+      app_, "speed", "Reconstruct the speed of the torch in the part from recorded motor speeds",
+      speedVerb);
+  speed->add_option("recording", options_.file, "CSV with time_s and <joint>_rpm of every joint")
+      ->required()
+      ->type_name("RECORDING.csv");
+  speed
+      ->add_option(
+          "--cell", options_.cell,
+          "Cell file with reduction ratios, or the name of one that comes with the program")
+      ->required()
+      ->type_name("CELL");
+  speed
+      ->add_option("--joints", options_.joints,
+                   "Joint values at the first row, degrees or mm, separated by commas")
+      ->required()
+      ->type_name("Q1,Q2,...");
+  speed
+      ->add_option("--zero", options_.zero, "Zero convention of the cell that --joints counts from")
+      ->type_name("NAME");
+  speed
+      ->add_option("--speed", options_.speed,
+                   "Wanted speed that peaks and dips are compared with (default: the median)")
+      ->type_name("SPEED");
+  speed
+      ->add_option("--tolerance", options_.tolerance,
+                   "Part of the wanted speed beyond which it is a peak or a dip (default: 0.05)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("RATIO");
+  speed->add_option("--output", options_.output, "Write the table to this file (default: stdout)")
+      ->type_name("FILE");
 }
 
 Error CommandLine::usageError(const CLI::ParseError& error) const {

@@ -38,7 +38,9 @@ private:
                     const char* help,
                     int (*function)(const Session&));
   void addFileVerbs();
+  void addPlaceVerb();
   void addOtherVerbs();
+  void addSpeedVerb();
   [[nodiscard]] Error usageError(const CLI::ParseError& error) const;
 
   Options options_;

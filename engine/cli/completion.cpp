@@ -46,7 +46,9 @@ std::string completionScript(const CLI::App& app, const std::string& shell) {
               verbNames(*verb) + "\" ;;\n";
   }
   script += "  esac\n  case \"$before\" in\n";
-  script += "    --post|--operation|--set|--threads|--name|--cell) return ;;\n";
+  script +=
+      "    --post|--operation|--set|--threads|--name|--cell|--joints|--zero|--speed|--tolerance) "
+      "return ;;\n";
   script +=
       "    --project|--output|--report|--plugin|--part) COMPREPLY=($(compgen -f -- "
       "\"$word\")); return ;;\n";

@@ -26,13 +26,25 @@ struct Options {
   std::vector<std::string> plugins;
   bool noUserPlugins = false;
   // verbs
-  std::string file;       ///< new, info, apply, check
-  std::string commands;   ///< apply
-  std::string part;       ///< new
-  std::string cell;       ///< new
-  std::string name;       ///< new
-  std::string component;  ///< schema
-  std::string shell;      ///< completion
+  std::string file;         ///< new, info, apply, check, speed
+  std::string commands;     ///< apply
+  std::string part;         ///< new
+  std::string cell;         ///< new, speed
+  std::string name;         ///< new
+  std::string component;    ///< schema
+  std::string shell;        ///< completion
+  std::string joints;       ///< speed: initial values
+  std::string zero;         ///< speed: zero convention of the initial values
+  std::string speed;        ///< speed: wanted
+  double tolerance = 0.05;  ///< speed
+  // place
+  std::string placedOperation;
+  bool applyPlace = false;
+  double placeRange = 200.0;  ///< mm
+  double placeHeight = 0.0;   ///< mm
+  double placeStep = 50.0;    ///< mm
+  double placeTurn = 30.0;    ///< degrees
+  std::string map;            ///< CSV file
 };
 
 }  // namespace wcam::cli

@@ -202,7 +202,8 @@ int runProjectVerb(const Session& session) {
   const project::RunResult result = project::runProject(pipeline, request, session.context);
   session.console.endProgress();
   if (!reportFile.empty()) {
-    writeFileAtomically(reportFile, reportFile.extension() == ".html"
+    const std::string extension = reportFile.extension().string();
+    writeFileAtomically(reportFile, extension == ".html" || extension == ".htm"
                                         ? project::htmlReport(document, result)
                                         : toCanonicalJson(result.report));
   }

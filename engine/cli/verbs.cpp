@@ -6,7 +6,7 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
-#include "wcam/cell/cell.hpp"
+#include "wcam/cell/inverse.hpp"
 #include "wcam/io/import.hpp"
 #include "wcam/motion/plan.hpp"
 #include "wcam/plugin/locations.hpp"
@@ -173,7 +173,7 @@ int infoVerb(const Session& session) {
         {{"name", cell.name}, {"robot", cell.robotName}, {"positioner", cell.positionerName}});
     info.set("configuration", cell.partCarried() ? "part_carried" : "torch_carried")
         .set("joints", cell.jointCount());
-    info.set("closed_form", cell.arm.has_value());
+    info.set("closed_form", cell.inverse->method() != cell::InverseMethod::Numeric);
   } else {
     const io::ImportedPart part =
         io::importPart(file, io::ImportOptions{}, geometry::Pose::Identity(), session.context);

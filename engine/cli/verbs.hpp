@@ -30,8 +30,10 @@ int newVerb(const Session& session);
 int infoVerb(const Session& session);
 int applyVerb(const Session& session);
 int checkVerb(const Session& session);
+int placeVerb(const Session& session);
 int pluginsListVerb(const Session& session);
 int schemaVerb(const Session& session);
+int speedVerb(const Session& session);
 /// Completion script for "bash" or "zsh", from the option table itself.
 std::string completionScript(const CLI::App& app, const std::string& shell);
 

@@ -158,8 +158,10 @@ private:
 
   /// Draws the ends of the shortest arc together. A piece without neighbours stays.
   bool contractOne() {
-    for (const auto& [size, a] : stuck_) {
-      const auto [from, to] = graph_.arcs[a];
+    for (const auto& stuck : stuck_) {
+      const std::uint32_t a = stuck.second;
+      const std::uint32_t from = graph_.arcs[a].from;
+      const std::uint32_t to = graph_.arcs[a].to;
       if (down_[from].size() + up_[from].size() + down_[to].size() + up_[to].size() == 2 ||
           hasDetour(a)) {
         continue;

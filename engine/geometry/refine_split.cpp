@@ -116,7 +116,8 @@ private:
     const Vec3& b = vertex(patch_.endOf(h));
     const BrepBinding& binding = patch_.binding;
     if (binding.edge[h] >= 0) {
-      const auto& [t0, t1] = binding.edgeParam[h];
+      const double t0 = binding.edgeParam[h][0];
+      const double t1 = binding.edgeParam[h][1];
       return evenMiddle(a, b, [&](double w) {
         return evaluator.curve(binding.edge[h], (1.0 - w) * t0 + w * t1).p;
       });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/base/text.hpp"
+#include "wcam/cell/joint_text.hpp"
 #include "wcam/cell/unwrap.hpp"
 
 #include "plan_detail.hpp"
@@ -88,7 +89,7 @@ public:
       }
     }
     if (before != nullptr && point.arc && point.reachable && before->reachable &&
-        point.tcpSpeed < point.speed * (1.0 - kSlower)) {
+        point.tcpSpeed < point.speed * (1.0 - kSlower) && jointsTooSlow(point, *before)) {
       addSlowdown(point, *before);
     }
   }
@@ -122,10 +123,17 @@ private:
       if (std::abs(step) > kPi && cell::periodicJoint(cell_, joint)) {
         turns_[j].add(std::abs(step), point.point, joint);
       }
-    } else if (std::abs(step) > params_.maxJointStep.value() && point.reachable &&
-               before.reachable) {
+    } else if (!cell_.joint(joint).prismatic() && std::abs(step) > params_.maxJointStep.value() &&
+               point.reachable && before.reachable) {
       steps_[j].add(std::abs(step), point.point, joint);
     }
+  }
+
+  /// A joint's speed holds the torch back; what its acceleration does is told by reportSpeeds.
+  [[nodiscard]] bool jointsTooSlow(const Waypoint& point, const Waypoint& before) const {
+    const double length = (point.T_part_tcp.translation() - before.T_part_tcp.translation()).norm();
+    return jointTime(cell_, before.joints, point.joints, 1.0) * point.speed >
+           length * (1.0 + kSlower);
   }
 
   void addSlowdown(const Waypoint& point, const Waypoint& before) {
@@ -154,6 +162,16 @@ private:
     context.add({severity, code, std::move(message), std::move(remedy), place, std::move(data)});
   }
 
+  std::string valueText(const Worst& worst) const {
+    return cell::jointText(cell_.joint(worst.joint), worst.value);
+  }
+
+  std::string unitOf(const Worst& worst) const { return cell::jointUnit(cell_.joint(worst.joint)); }
+
+  double toUnit(const Worst& worst, double value) const {
+    return cell::toJointUnit(cell_.joint(worst.joint), value);
+  }
+
   std::string nameOf(const Worst& worst) const {
     return worst.joint < 0 ? std::string("a joint") : "joint " + cell_.joint(worst.joint).name;
   }
@@ -173,13 +191,13 @@ private:
     for (const Worst& worst : limits_) {
       if (worst.count > 0) {
         put(context, Severity::Violation, "motion.joint_limit",
-            nameOf(worst) + " exceeds its limit by up to " + degText(worst.value) + " at " +
+            nameOf(worst) + " exceeds its limit by up to " + valueText(worst) + " at " +
                 points(worst.count),
             "change the rotation about the torch, the configuration or the place of the part",
             worst,
             {{"joint", worst.joint + 1.0},
-             {"excess_deg", radToDeg(worst.value)},
-             {"value_deg", radToDeg(worst.extra)}});
+             {"excess_" + unitOf(worst), toUnit(worst, worst.value)},
+             {"value_" + unitOf(worst), toUnit(worst, worst.extra)}});
       }
     }
   }

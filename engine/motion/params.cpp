@@ -3,6 +3,9 @@
 
 #include "wcam/motion/plan.hpp"
 
+#include "plan_detail.hpp"
+#include "collision_params.hpp"
+
 namespace wcam::motion {
 
 namespace {
@@ -153,6 +156,8 @@ Schema<MotionParams> makeSchema() {
   addTorch(schema);
   addTravel(schema);
   addChecks(schema);
+  detail::addTimeLaw(schema);
+  detail::addCollision(schema);
   return schema;
 }
 

@@ -3,6 +3,8 @@
 
 #include "wcam/motion/plan.hpp"
 
+#include "wcam/motion/reversals.hpp"
+
 #include "plan_detail.hpp"
 
 #include <algorithm>
@@ -62,7 +64,8 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& params,
                          const std::string& operationId,
-                         const JobContext& context) {
+                         const JobContext& context,
+                         const collision::Clearance* /*clearance*/) {
   if (!cell.arm) {
     throw Error(ErrorCode::JobFailed,
                 "the robot of the cell has no closed-form inverse kinematics: " + cell.armProblem,
@@ -76,11 +79,14 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
   std::vector<detail::PointState> states;
   detail::solveBranch(cell, targets, choice.positioning, choice.branch, params, context,
                       planned.motion, states);
-  applyTimeLaw(planned.motion, cell, params.jointSpeedRatio);
+  applyTimeLaw(planned.motion, cell, params, params.jointSpeedRatio, context);
   detail::reportFindings(cell, planned.motion, states, choice.positioning, params, operationId,
                          context);
   context.report(0.9);
   planned.statistics = motionStatistics(planned.motion, cell, context);
+  planned.statistics.reversals = jointReversals(planned.motion, cell);
+  detail::reportSpeeds(cell, planned.motion, params, operationId, planned.statistics.reversals,
+                       context);
   planned.statistics.branch = choice.branch.name();
   for (const double residual : choice.positioning.residual) {
     planned.statistics.maxVerticalError = std::max(planned.statistics.maxVerticalError, residual);

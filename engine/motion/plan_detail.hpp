@@ -5,6 +5,7 @@
 #include "wcam/cell/arm.hpp"
 #include "wcam/cell/cell.hpp"
 #include "wcam/motion/plan.hpp"
+#include "wcam/motion/speed_law.hpp"
 
 #include <array>
 #include <vector>
@@ -99,5 +100,22 @@ double jointTime(const Cell& cell,
                  const cell::JointVector& from,
                  const cell::JointVector& to,
                  double ratio);
+
+/// Limits of the joints for the speed law.
+std::vector<JointBounds> jointBounds(const Cell& cell, const TimeLawParams& params);
+
+/// True where the torch comes to rest at a waypoint: ends, joint moves, arc on and off.
+bool stopsAfter(const Motion& motion, std::size_t i);
+
+/// Dips and peaks of the predicted speed and reversals of joints, per bead.
+void reportSpeeds(const Cell& cell,
+                  const Motion& motion,
+                  const MotionParams& params,
+                  const std::string& operationId,
+                  const std::vector<Reversal>& reversals,
+                  const JobContext& context);
+
+/// Declares the parameters of TimeLawParams.
+void addTimeLaw(Schema<MotionParams>& schema);
 
 }  // namespace wcam::motion::detail

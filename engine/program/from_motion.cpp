@@ -15,12 +15,13 @@ CellFacts factsOf(const cell::Cell& cell, const std::string& branch) {
   facts.robotJoints = cell.robotJoints();
   facts.positionerJoints = cell.positionerJoints();
   facts.partCarried = cell.partCarried();
-  if (!branch.empty()) {
+  if (!branch.empty() && cell.arm) {
+    // Only an arm has a configuration in this sense.
     facts.configuration = branch;
   }
   for (int j = 0; j < cell.jointCount(); ++j) {
     facts.jointNames.push_back(cell.joint(j).name);
-    facts.linearJoint.push_back(false);
+    facts.linearJoint.push_back(cell.joint(j).prismatic());
     facts.jointSpeeds.push_back(cell.joint(j).maxSpeed);
   }
   facts.T_flange_tcp = cell.T_flange_tcp;

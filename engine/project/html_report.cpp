@@ -1,348 +1,241 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "wcam/project/html_report.hpp"
 
 #include "wcam/base/json.hpp"
-#include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 
+#include "svg_plot.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
+#include <initializer_list>
 #include <limits>
+#include <string_view>
 
 namespace wcam::project {
 
 namespace {
 
-constexpr const char* kStyle =
-    "body{font:15px/1.5 sans-serif;color:#20262e;max-width:1000px;margin:2em auto;padding:0 1em}"
-    "h1{border-bottom:3px solid #1c70c8}h2{margin-top:2em;border-bottom:1px solid #ccd}"
-    "table{border-collapse:collapse;margin:.6em 0}td,th{padding:.2em .8em;border-bottom:1px solid "
-    "#dde;"
-    "text-align:left;vertical-align:top}td.n{text-align:right;font-variant-numeric:tabular-nums}"
-    ".violation,.error{color:#c0281f;font-weight:bold}.warning{color:#b06a00;font-weight:bold}"
-    "figure{margin:1em 0}figcaption{font-weight:bold}svg,img{max-width:100%;height:auto}"
-    "pre{background:#f4f6f9;padding:.8em;overflow:auto;font-size:13px}";
+constexpr const char* kStyle = R"(
+:root{--ink:#1c1e21;--soft:#5d646d;--page:#ffffff;--box:#f4f6f8;--line:#d5dae0;--bad:#b3261e;--warn:#9a6700;--info:#0550ae}
+@media (prefers-color-scheme:dark){:root{--ink:#e6e8eb;--soft:#9aa4af;--page:#16191d;--box:#1f242a;--line:#3a424c;--bad:#ff8a80;--warn:#f0c35a;--info:#7db7ff}}
+body{font:15px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--page);max-width:62rem;margin:2rem auto;padding:0 1rem}
+h1{font-size:1.7rem;margin:.2em 0}h2{font-size:1.3rem;margin:2em 0 .4em;border-bottom:1px solid var(--line)}h3{font-size:1.05rem;margin:1.4em 0 .3em}
+table{border-collapse:collapse;width:100%;margin:.5em 0}th,td{text-align:left;padding:.25em .6em;border-bottom:1px solid var(--line);vertical-align:top}
+td.n{text-align:right;font-variant-numeric:tabular-nums}th{color:var(--soft);font-weight:600}
+.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(11rem,1fr));gap:.6rem}
+.figures div{background:var(--box);border-radius:6px;padding:.5rem .8rem}.figures b{display:block;font-size:1.15rem}.figures span{color:var(--soft);font-size:.85rem}
+.violation{color:var(--bad);font-weight:600}.warning{color:var(--warn)}.information{color:var(--info)}
+svg{width:100%;height:auto;background:var(--box);border-radius:6px;margin:.4em 0}svg text{font:11px system-ui,sans-serif;fill:var(--soft)}
+.grid{stroke:var(--line);stroke-width:.6}.axis{stroke:var(--soft)}.limit{stroke:var(--bad);stroke-dasharray:5 4}
+pre{background:var(--box);border-radius:6px;padding:.8rem;overflow:auto;font-size:.85rem}summary{cursor:pointer;color:var(--soft)}
+)";
 
-// Size of a plot and columns of its curve: more points than columns are drawn as their extremes.
-constexpr int kWidth = 940;
-constexpr int kHeight = 220;
-constexpr int kLeft = 60;
-constexpr int kBottom = 30;
-constexpr std::array<const char*, 8> kColours = {"#3482d2", "#e68c28", "#50aa5a", "#cd464b",
-                                                 "#9169be", "#966e5a", "#dc78b9", "#6e7882"};
-
-std::string escaped(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
+std::string element(const char* tag, const std::string& plain) {
+  return "<" + std::string(tag) + ">" + htmlEscaped(plain) + "</" + tag + ">";
 }
 
-std::string cell(const std::string& html, bool number = false) {
-  return (number ? "<td class=\"n\">" : "<td>") + html + "</td>";
+/// A number of the report by its path, with its unit; a dash where there is none.
+std::string figure(const Value& report,
+                   std::initializer_list<const char*> path,
+                   int decimals,
+                   const char* unit) {
+  const Value* value = &report;
+  for (const char* key : path) {
+    value = value != nullptr && value->isObject() ? value->find(key) : nullptr;
+  }
+  if (value == nullptr || !value->isNumber()) {
+    return "–";
+  }
+  return formatFixed(value->asReal(), decimals) + (unit[0] != '\0' ? " " : "") + unit;
 }
 
-struct Curve {
-  std::string name;
-  std::vector<double> values;  ///< NaN leaves a gap
-};
-
-struct Axis {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void add(double v) {
-    if (std::isfinite(v)) {
-      low = std::min(low, v);
-      high = std::max(high, v);
-    }
-  }
-};
-
-/// Points of a curve, two per pixel column.
-std::string pathOf(const std::vector<double>& times,
-                   const std::vector<double>& values,
-                   const std::function<double(double)>& x,
-                   const std::function<double(double)>& y) {
-  std::string path;
-  bool open = false;
-  for (std::size_t i = 0; i < values.size();) {
-    if (!std::isfinite(values[i])) {
-      open = false;
-      ++i;
-      continue;
-    }
-    const auto column = std::lround(x(times[i]));
-    Axis range;
-    std::size_t j = i;
-    for (; j < values.size() && std::isfinite(values[j]) && std::lround(x(times[j])) == column;
-         ++j) {
-      range.add(values[j]);
-    }
-    for (const double v : {range.low, range.high}) {
-      path += (open ? "L" : "M") + std::to_string(column) + " " + formatFixed(y(v), 1);
-      open = true;
-      if (range.low == range.high) {
-        break;
-      }
-    }
-    i = j;
-  }
-  return path;
+std::string durationText(double seconds) {
+  const long whole = std::lround(seconds);
+  const auto two = [](long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+  return std::to_string(whole / 3600) + ":" + two(whole / 60 % 60) + ":" + two(whole % 60);
 }
 
-std::string plot(const std::string& title,
-                 const std::string& unit,
-                 const std::vector<double>& times,
-                 const std::vector<Curve>& curves) {
-  Axis axis;
-  for (const Curve& curve : curves) {
-    for (const double v : curve.values) {
-      axis.add(v);
-    }
-  }
-  if (times.size() < 2 || !(axis.low <= axis.high) || !(times.back() > times.front())) {
-    return {};
-  }
-  const double span = std::max(axis.high - axis.low, 1e-3 * std::max(std::abs(axis.high), 1.0));
-  const double low = axis.low - 0.05 * span;
-  const double high = axis.low + 1.05 * span;
-  const auto x = [&](double t) {
-    return kLeft + (t - times.front()) / (times.back() - times.front()) * (kWidth - kLeft - 10);
+std::string figures(const OperationResult& result, const Value& report) {
+  std::string html = "<div class=\"figures\">";
+  const auto add = [&](const char* name, const std::string& value) {
+    html += "<div><b>" + htmlEscaped(value) + "</b><span>" + name + "</span></div>";
   };
-  const auto y = [&](double v) { return 8 + (high - v) / (high - low) * (kHeight - kBottom - 8); };
-  std::string svg = "<figure><figcaption>" + escaped(title) + " (" + escaped(unit) +
-                    ")</figcaption><svg viewBox=\"0 0 " + std::to_string(kWidth) + " " +
-                    std::to_string(kHeight) + "\" font-size=\"12\" font-family=\"sans-serif\">";
-  constexpr int kLines = 4;
-  for (int i = 0; i <= kLines; ++i) {
-    const double v = low + (high - low) * i / kLines;
-    const std::string at = formatFixed(y(v), 1);
-    svg += "<path d=\"M" + std::to_string(kLeft) + " " + at + "H" + std::to_string(kWidth - 10) +
-           "\" stroke=\"#dde\"/><text x=\"" + std::to_string(kLeft - 6) + "\" y=\"" + at +
-           "\" text-anchor=\"end\" dominant-baseline=\"middle\">" +
-           formatFixed(v, span < 10 ? 2 : 0) + "</text>";
-    const double t = times.front() + (times.back() - times.front()) * i / kLines;
-    svg += "<text x=\"" + formatFixed(x(t), 1) + "\" y=\"" + std::to_string(kHeight - 8) +
-           "\" text-anchor=\"" + (i == kLines ? "end" : "middle") + "\">" + formatFixed(t, 0) +
-           " s</text>";
-  }
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const std::string colour = kColours[i % kColours.size()];
-    svg += "<path fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.4\" d=\"" +
-           pathOf(times, curves[i].values, x, y) + "\"/><text x=\"" +
-           std::to_string(kLeft + 8 + 110 * i) + "\" y=\"20\" fill=\"" + colour + "\">" +
-           escaped(curves[i].name) + "</text>";
-  }
-  return svg + "</svg></figure>\n";
+  add("layers", figure(report, {"layers"}, 0, ""));
+  add("beads (arc starts)", figure(report, {"beads"}, 0, ""));
+  add("length of the beads", figure(report, {"length_mm"}, 0, "mm"));
+  add("deposited volume", figure(report, {"deposited_volume_mm3"}, 0, "mm³"));
+  add("wire", figure(report, {"wire_length_m"}, 2, "m"));
+  add("mass", figure(report, {"mass_g"}, 0, "g"));
+  add("time (h:min:s)", durationText(result.motion->statistics.totalTime));
+  add("of it with the arc on", durationText(result.motion->statistics.arcTime));
+  add("layer height, least to greatest", figure(report, {"height_mm", "min"}, 2, "") + " … " +
+                                             figure(report, {"height_mm", "max"}, 2, "mm"));
+  add("overhang, greatest", figure(report, {"overhang_deg", "max"}, 1, "°"));
+  add("dexterity, least", figure(report, {"min_dexterity"}, 3, ""));
+  add("joint speed over its limit", figure(report, {"max_joint_speed_ratio"}, 2, ""));
+  return html + "</div>";
 }
 
-/// Values of the points in the order of the motion; NaN on the way between beads.
-Curve pointCurve(const OperationResult& operation,
-                 const std::string& name,
-                 const std::function<double(const toolpath::PathPoint&)>& of) {
-  Curve curve{name, {}};
-  for (const motion::Waypoint& w : operation.motion->motion.waypoints) {
-    curve.values.push_back(w.point < 0
-                               ? std::numeric_limits<double>::quiet_NaN()
-                               : of(operation.path->layers[static_cast<std::size_t>(w.layer)]
-                                        .beads[static_cast<std::size_t>(w.bead)]
-                                        .points[static_cast<std::size_t>(w.point)]));
-  }
-  return curve;
-}
-
-std::string plotsOf(const OperationResult& operation) {
-  if (operation.motion == nullptr || operation.path == nullptr || operation.cell == nullptr) {
-    return {};
-  }
-  const auto& waypoints = operation.motion->motion.waypoints;
-  std::vector<double> times;
-  Curve tcp{"predicted TCP speed", {}};
-  for (const motion::Waypoint& w : waypoints) {
-    times.push_back(w.time);
-    tcp.values.push_back(w.point < 0 ? std::numeric_limits<double>::quiet_NaN() : w.tcpSpeed);
-  }
-  std::string html =
-      plot("Height of the beads", "mm", times,
-           {pointCurve(operation, "height", [](const auto& p) { return p.height; })});
-  html += plot("Speed", "mm/s", times,
-               {pointCurve(operation, "travel speed", [](const auto& p) { return p.speed; }), tcp});
-  std::vector<Curve> joints;
-  for (int j = 0; j < operation.cell->jointCount(); ++j) {
-    Curve curve{operation.cell->joint(j).name, {}};
-    for (const motion::Waypoint& w : waypoints) {
-      curve.values.push_back(radToDeg(w.joints[j]));
-    }
-    joints.push_back(std::move(curve));
-  }
-  return html + plot("Joints", "deg", times, joints);
-}
-
-/// "layer_distance_mm" as "layer distance (mm)".
-std::string figureName(std::string key) {
-  static constexpr std::array<std::pair<const char*, const char*>, 7> kUnits = {
-      {{"_mm3", " (mm³)"},
-       {"_mm_s", " (mm/s)"},
-       {"_mm", " (mm)"},
-       {"_deg", " (deg)"},
-       {"_s", " (s)"},
-       {"_m", " (m)"},
-       {"_g", " (g)"}}};
-  std::string unit;
-  for (const auto& [end, text] : kUnits) {
-    if (key.ends_with(end)) {
-      unit = text;
-      key.resize(key.size() - std::string_view(end).size());
-      break;
+std::string picture(const OperationResult& result) {
+  std::vector<PathPicture> lines;
+  for (const toolpath::Layer& layer : result.path->layers) {
+    for (const toolpath::Bead& bead : layer.beads) {
+      PathPicture line;
+      for (const toolpath::PathPoint& point : bead.points) {
+        line.points.push_back(point.p);
+        line.values.push_back(point.height);
+      }
+      lines.push_back(std::move(line));
     }
   }
-  std::replace(key.begin(), key.end(), '_', ' ');
-  return key + unit;
+  return svgPicture(lines, "The path of " + result.id + ", coloured by layer height",
+                    "layer height, mm");
 }
 
-std::string numberText(const Value& value) {
-  return value.isInteger()  ? std::to_string(value.asInteger())
-         : value.isNumber() ? formatFixed(value.asReal(), 3)
-         : value.isString() ? escaped(value.asString())
-                            : std::string();
-}
-
-std::string figuresOf(const Value& operation) {
-  std::string html = "<table>";
-  for (const auto& [key, value] : operation.asObject()) {
-    if (key == "id" || key == "strategy") {
-      continue;
-    }
-    if (value.isNumber() || value.isString()) {
-      html += "<tr>" + cell(escaped(figureName(key))) + cell(numberText(value), true) + "</tr>";
-    } else if (value.find("mean") != nullptr) {
-      html += "<tr>" + cell(escaped(figureName(key))) +
-              cell(numberText(value.at("min")) + " / " + numberText(value.at("mean")) + " / " +
-                       numberText(value.at("max")),
-                   true) +
-              "</tr>";
-    }
-  }
-  return html + "</table><p>Three numbers are the least, the mean and the greatest value.</p>\n";
-}
-
-std::string jointsOf(const Value& operation) {
-  const Value* joints = operation.find("joints");
-  if (joints == nullptr || !joints->isArray() || joints->size() == 0) {
-    return {};
-  }
-  std::string html = "<h3>Joints</h3><table><tr>";
-  for (const auto& [key, value] : joints->asArray().front().asObject()) {
-    html += "<th>" + escaped(figureName(key)) + "</th>";
-  }
-  html += "</tr>";
-  for (const Value& joint : joints->asArray()) {
-    html += "<tr>";
-    for (const auto& [key, value] : joint.asObject()) {
-      html += cell(numberText(value), value.isNumber());
-    }
-    html += "</tr>";
-  }
-  return html + "</table>\n";
-}
-
-std::string findingsOf(const std::vector<Diagnostic>& findings) {
-  if (findings.empty()) {
-    return "<p>Nothing was found.</p>\n";
-  }
-  std::string html = "<table><tr><th></th><th>Place</th><th>Finding</th><th>Remedy</th></tr>";
-  for (const Diagnostic& d : findings) {
-    std::string place;
-    // People count from 1.
-    for (const auto& [name, index] :
-         {std::pair("layer ", d.place.layer), std::pair("bead ", d.place.bead),
-          std::pair("point ", d.place.point)}) {
-      if (index >= 0) {
-        place += (place.empty() ? "" : ", ") + std::string(name) + std::to_string(index + 1);
+std::string processPlots(const OperationResult& result) {
+  Plot height{"Layer height along the path", "length of the beads, m", "layer height, mm", {}, {}};
+  PlotSeries along;
+  double length = 0.0;
+  constexpr double kMmPerM = 1000.0;
+  for (const toolpath::Layer& layer : result.path->layers) {
+    for (const toolpath::Bead& bead : layer.beads) {
+      for (std::size_t i = 0; i < bead.points.size(); ++i) {
+        length += i > 0 ? (bead.points[i].p - bead.points[i - 1].p).norm() : 0.0;
+        along.x.push_back(length / kMmPerM);
+        along.y.push_back(bead.points[i].height);
       }
     }
-    html += "<tr><td class=\"" + std::string(toString(d.severity)) + "\">" + toString(d.severity) +
-            "</td>" + cell(place) +
-            cell(escaped(d.message) + "<br><code>" + escaped(d.code) + "</code>") +
-            cell(escaped(d.remedy)) + "</tr>";
   }
-  return html + "</table>\n";
+  height.series.push_back(std::move(along));
+  height.limits = {result.process.heightMin.value(), result.process.heightMax.value()};
+  Plot speed{
+      "Travel speed", "time, s", "speed, mm/s", {{"wanted", {}, {}}, {"predicted", {}, {}}}, {}};
+  for (const motion::Waypoint& point : result.motion->motion.waypoints) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    speed.series[0].x.push_back(point.time);
+    speed.series[0].y.push_back(point.arc ? point.speed : none);
+    speed.series[1].x.push_back(point.time);
+    speed.series[1].y.push_back(point.arc ? point.tcpSpeed : none);
+  }
+  return element("h3", "Heights and speeds") + svgPlot(height) + svgPlot(speed);
 }
 
-std::string parametersOf(const Document& document, const std::string& operation) {
-  const Value* operations = document.tree().find("operations");
-  if (operations == nullptr) {
-    return {};
+std::string jointRows(const OperationResult& result, const Value& report) {
+  std::string html =
+      "<table><tr><th>Joint</th><th>least</th><th>greatest</th><th>margin to a limit</th>"
+      "<th>greatest speed over its limit</th></tr>";
+  const Value& joints = report.at("joints");
+  for (const Value& joint : joints.asArray()) {
+    const bool linear = joint.find("min_mm") != nullptr;
+    const char* unit = linear ? "mm" : "°";
+    const auto cell = [&](const char* degrees, const char* millimetres, int decimals) {
+      return "<td class=\"n\">" +
+             htmlEscaped(figure(joint, {linear ? millimetres : degrees}, decimals, unit)) + "</td>";
+    };
+    html += "<tr><td>" + htmlEscaped(joint.at("name").asString()) + "</td>" +
+            cell("min_deg", "min_mm", 1) + cell("max_deg", "max_mm", 1) +
+            cell("margin_deg", "margin_mm", 1) + "<td class=\"n\">" +
+            figure(joint, {"max_speed_ratio"}, 3, "") + "</td></tr>";
   }
-  for (const Value& node : operations->asArray()) {
-    if (node.at("id").asString() == operation) {
-      return "<h3>Settings</h3><pre>" + escaped(toCanonicalJson(node)) + "</pre>\n";
+  html += "</table>";
+  Plot plot{"Joints", "time, s", "joint, °", {}, {}};
+  for (std::size_t j = 0; j < result.motion->statistics.joints.size(); ++j) {
+    PlotSeries series;
+    series.name = result.cell->joint(static_cast<int>(j)).name;
+    for (const motion::Waypoint& point : result.motion->motion.waypoints) {
+      const auto i = static_cast<Eigen::Index>(j);
+      series.x.push_back(point.time);
+      series.y.push_back(point.joints.size() > i ? radToDeg(point.joints(i))
+                                                 : std::numeric_limits<double>::quiet_NaN());
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return element("h3", "Joints") + html + svgPlot(plot);
+}
+
+std::string findingRows(const std::vector<Diagnostic>& findings) {
+  if (findings.empty()) {
+    return "<p>No findings.</p>";
+  }
+  std::string html = "<table><tr><th></th><th>Where</th><th>What</th><th>Remedy</th></tr>";
+  for (const Diagnostic& finding : findings) {
+    std::string place;
+    const auto add = [&](const char* name, int index) {
+      if (index >= 0) {
+        place += (place.empty() ? "" : ", ") + std::string(name) + " " + std::to_string(index + 1);
+      }
+    };
+    add("layer", finding.place.layer);
+    add("bead", finding.place.bead);
+    add("point", finding.place.point);
+    html += "<tr><td class=\"" + std::string(toString(finding.severity)) + "\">" +
+            toString(finding.severity) + "</td>" + element("td", place) + "<td>" +
+            htmlEscaped(finding.message) + "<br><small>" + htmlEscaped(finding.code) +
+            "</small></td>" + element("td", finding.remedy) + "</tr>";
+  }
+  return html + "</table>";
+}
+
+const Value* nodeOf(const Value& tree, const char* list, const std::string& id) {
+  const Value* nodes = tree.find(list);
+  if (nodes == nullptr || !nodes->isArray()) {
+    return nullptr;
+  }
+  for (const Value& node : nodes->asArray()) {
+    const Value* own = node.find("id");
+    if (own != nullptr && own->isString() && own->asString() == id) {
+      return &node;
     }
   }
-  return {};
+  return nullptr;
+}
+
+std::string parameters(const Document& document, const std::string& operation) {
+  const Value* node = nodeOf(document.tree(), "operations", operation);
+  if (node == nullptr) {
+    return {};
+  }
+  return "<details><summary>Parameters</summary><pre>" + htmlEscaped(toCanonicalJson(*node)) +
+         "</pre></details>";
 }
 
 }  // namespace
 
-std::string htmlReport(const Document& document,
-                       const RunResult& result,
-                       const std::vector<ReportPicture>& pictures) {
-  const Project& project = document.project();
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                     escaped(project.name) + "</title><style>" + kStyle +
-                     "</style></head><body>\n<h1>" + escaped(project.name) + "</h1>\n";
-  html += "<p>Cell: " + escaped(project.cell.path) + "</p>\n";
-  for (const ReportPicture& picture : pictures) {
-    html += "<figure><figcaption>" + escaped(picture.title) + "</figcaption><img alt=\"" +
-            escaped(picture.title) + "\" src=\"" + escaped(picture.uri) + "\"></figure>\n";
-  }
+std::string htmlReport(const Document& document, const RunResult& result) {
+  const std::string& name = document.project().name;
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width,initial-scale=1\">" +
+      element("title", name.empty() ? "WCAM report" : name + " – WCAM report") + "<style>" +
+      kStyle + "</style></head><body>" + element("h1", name.empty() ? "WCAM report" : name);
   for (const RunFailure& failure : result.failures) {
-    html += "<p class=\"error\">" + escaped(failure.error.what()) + "</p><p>" +
-            escaped(failure.error.hint()) + "</p>\n";
-  }
-  const Value* figures = result.report.find("operations");
-  for (const OperationResult& operation : result.operations) {
-    html += "<h2>Operation " + escaped(operation.id) +
-            "</h2>\n<p>Strategy: " + escaped(operation.strategy) + "</p>\n";
-    for (std::size_t i = 0; figures != nullptr && i < figures->size(); ++i) {
-      const Value& own = figures->asArray()[i];
-      if (own.at("id").asString() == operation.id) {
-        html += figuresOf(own) + jointsOf(own);
-      }
+    html +=
+        "<p class=\"violation\">" +
+        htmlEscaped((failure.place.empty() ? "" : failure.place + ": ") + failure.error.what()) +
+        "</p>";
+    if (!failure.error.hint().empty()) {
+      html += element("p", failure.error.hint());
     }
-    html += plotsOf(operation) + "<h3>Findings</h3>" + findingsOf(operation.findings) +
-            parametersOf(document, operation.id);
   }
   if (!result.projectFindings.empty()) {
-    html += "<h2>Project</h2>" + findingsOf(result.projectFindings);
+    html += element("h2", "Project") + findingRows(result.projectFindings);
+  }
+  for (const OperationResult& operation : result.operations) {
+    const Value report = operationReport(operation);
+    html += "\n" + element("h2", operation.id + " (" + operation.strategy + ")") +
+            figures(operation, report) + picture(operation) + element("h3", "Findings") +
+            findingRows(operation.findings) + processPlots(operation) +
+            jointRows(operation, report) + parameters(document, operation.id);
   }
   if (!result.files.empty()) {
-    html += "<h2>Files</h2><ul>";
+    html += "\n" + element("h2", "Files") + "<table><tr><th>File</th><th>Bytes</th></tr>";
     for (const WrittenFile& file : result.files) {
-      html += "<li>" + escaped(file.path) + " (" + std::to_string(file.bytes) + " bytes)</li>";
+      html += "<tr>" + element("td", file.path) + "<td class=\"n\">" + std::to_string(file.bytes) +
+              "</td></tr>";
     }
-    html += "</ul>\n";
+    html += "</table>";
   }
   return html + "</body></html>\n";
 }

@@ -6,7 +6,9 @@
 #include "wcam/base/quantity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace wcam::project {
 
@@ -19,7 +21,34 @@ const T* byId(const std::vector<T>& nodes, std::string_view id) noexcept {
   return found == nodes.end() ? nullptr : &*found;
 }
 
+constexpr std::array<std::pair<const char*, std::optional<geometry::WallSide>>, 4> kWallSides = {{
+    {"whole", std::nullopt},
+    {"outer", geometry::WallSide::Outer},
+    {"inner", geometry::WallSide::Inner},
+    {"middle", geometry::WallSide::Middle},
+}};
+
 }  // namespace
+
+std::optional<geometry::WallSide> wallSideOf(const std::string& word) {
+  for (const auto& [name, side] : kWallSides) {
+    if (word == name) {
+      return side;
+    }
+  }
+  return std::nullopt;
+}
+
+const std::vector<std::string>& wallSideWords() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> names;
+    for (const auto& [name, side] : kWallSides) {
+      names.emplace_back(name);
+    }
+    return names;
+  }();
+  return words;
+}
 
 const Part* Project::part(std::string_view id) const noexcept {
   return byId(parts, id);

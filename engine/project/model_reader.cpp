@@ -72,6 +72,7 @@ Part partOf(const Value& node) {
       part.faces.push_back(static_cast<int>(face.asInteger()));
     }
   }
+  part.wallSide = wallSideOf(textOr(node, "surface"));
   return part;
 }
 
@@ -254,6 +255,7 @@ private:
     }
     if (result_.problems.size() == before) {
       checkVariant(type, node, path);
+      checkSurface(type, node, path);
       checkReferences(type, node, path);
     }
   }
@@ -276,6 +278,20 @@ private:
               std::string("another ") + type.noun + " has the id '" + id->asString() + "' already");
     }
     seen.push_back(id->asString());
+  }
+
+  void checkSurface(const NodeType& type, const Value& node, const std::string& path) {
+    const Value* surface = node.find("surface");
+    if (type.field("surface") == nullptr || surface == nullptr) {
+      return;
+    }
+    const std::vector<std::string>& words = wallSideWords();
+    if (std::find(words.begin(), words.end(), surface->asString()) == words.end()) {
+      problem(path + ".surface",
+              "'" + surface->asString() + "' is not one of: " + joinText(words, ", "));
+    } else if (wallSideOf(surface->asString()) && node.contains("faces")) {
+      problem(path + ".surface", "stands beside 'faces': name the faces or the side of the wall");
+    }
   }
 
   /// Keys that one type of substrate or guide needs.

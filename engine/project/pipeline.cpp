@@ -21,8 +21,8 @@ constexpr int kSubstrateVersion = 1;
 constexpr int kSliceVersion = 2;
 constexpr int kPathVersion = 1;
 constexpr int kProcessVersion = 1;
-constexpr int kCellVersion = 1;
-constexpr int kMotionVersion = 1;
+constexpr int kCellVersion = 2;
+constexpr int kMotionVersion = 2;
 constexpr int kProgramVersion = 1;
 
 std::string placementText(const Placement& placement) {
@@ -69,6 +69,64 @@ void collect(std::vector<Diagnostic>& findings,
     diagnostic.place.operation = operation;
     findings.push_back(std::move(diagnostic));
   }
+}
+
+/// Replaces the surface of a part by one side of its solid wall, and tells the wall's thickness.
+void takeSide(io::ImportedPart& part,
+              geometry::WallSide side,
+              const std::string& id,
+              const JobContext& context) {
+  geometry::SolidWall wall = [&] {
+    try {
+      return geometry::solidWall(*part.surface, side, context);
+    } catch (const Error& error) {
+      rethrowIn(error, "part '" + id + "'");
+    }
+  }();
+  part.surface = std::make_shared<const geometry::PartSurface>(std::move(wall.surface));
+  part.wallThickness = std::move(wall.thickness);
+  const geometry::WallThickness& thickness = *part.wallThickness;
+  context.add({Severity::Information,
+               "part.wall_thickness",
+               "the wall of part '" + id + "' is " + formatFixed(thickness.min, 2) + " to " +
+                   formatFixed(thickness.max, 2) + " mm thick, " + formatFixed(thickness.mean, 2) +
+                   " mm in the mean",
+               "",
+               {},
+               {{"min_mm", thickness.min},
+                {"mean_mm", thickness.mean},
+                {"max_mm", thickness.max},
+                {"thinnest_x_mm", thickness.thinnest.x()},
+                {"thinnest_y_mm", thickness.thinnest.y()},
+                {"thinnest_z_mm", thickness.thinnest.z()},
+                {"thickest_x_mm", thickness.thickest.x()},
+                {"thickest_y_mm", thickness.thickest.y()},
+                {"thickest_z_mm", thickness.thickest.z()}}});
+}
+
+/// A bead that is much wider or narrower than the wall gives another part.
+constexpr double kBeadFitsWall = 0.25;
+
+std::vector<Diagnostic> compareWithBead(const io::ImportedPart& part,
+                                        const std::string& id,
+                                        double beadWidth) {
+  if (!part.wallThickness) {
+    return {};
+  }
+  const geometry::WallThickness& wall = *part.wallThickness;
+  if (wall.min >= (1.0 - kBeadFitsWall) * beadWidth &&
+      wall.max <= (1.0 + kBeadFitsWall) * beadWidth) {
+    return {};
+  }
+  return {{Severity::Warning,
+           "part.bead_does_not_fit_wall",
+           "the wall of part '" + id + "' is " + formatFixed(wall.min, 2) + " to " +
+               formatFixed(wall.max, 2) + " mm thick, the bead " + formatFixed(beadWidth, 2) +
+               " mm wide",
+           "choose a process with a bead as wide as the wall, or lay several beads beside each "
+           "other",
+           {},
+           {{"min_mm", wall.min}, {"max_mm", wall.max}, {"bead_width_mm", beadWidth}}}};
 }
 
 void checkParams(const ParamSchema& schema,
@@ -170,12 +228,18 @@ Staged<io::ImportedPart> Pipeline::stagePart(const std::string& id,
   for (const int face : part.faces) {
     key.text(std::to_string(face));
   }
+  if (part.wallSide) {
+    key.text("side " + std::to_string(static_cast<int>(*part.wallSide)));
+  }
   return stage<io::ImportedPart>("part", std::move(key), context, [&](const JobContext& own) {
     io::ImportedPart imported =
         io::importPart(file, io::importOptionsSchema().read(options), toPose(part.placement), own);
     if (!part.faces.empty()) {
       imported.surface = std::make_shared<const geometry::PartSurface>(
           geometry::selectFaces(*imported.surface, part.faces));
+    }
+    if (part.wallSide) {
+      takeSide(imported, *part.wallSide, id, own);
     }
     return imported;
   });
@@ -274,12 +338,18 @@ Staged<cell::Cell> Pipeline::stageCell(const JobContext& context) const {
   }
   const std::filesystem::path file = resolvePath(project_, ref);
   StageKey key("cell", kCellVersion);
-  key.text(sha256OfFile(file));
+  const std::string text = readFile(file);
+  key.text(sha256Hex(text));
+  for (const std::filesystem::path& mesh :
+       cell::shapeFiles(parseJson(text, pathText(file)), file.parent_path())) {
+    // A missing mesh is told by the reader, with its place in the file.
+    key.text(std::filesystem::exists(mesh) ? sha256OfFile(mesh) : std::string());
+  }
   return stage<cell::Cell>("cell", std::move(key), context,
                            [&](const JobContext& own) { return cell::loadCell(file, own); });
 }
 
-OperationResult Pipeline::compute(const std::string& id, const JobContext& context) const {
+const Operation& Pipeline::operationOf(const std::string& id) const {
   const Operation* operation = document_.project().operation(id);
   if (operation == nullptr) {
     std::vector<std::string> ids;
@@ -290,14 +360,41 @@ OperationResult Pipeline::compute(const std::string& id, const JobContext& conte
     throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {},
                 near ? "did you mean '" + *near + "'?" : "operations: " + joinText(ids, ", "));
   }
+  return *operation;
+}
+
+OperationResult Pipeline::compute(const std::string& id, const JobContext& context) const {
+  const Operation& operation = operationOf(id);
   try {
-    return computeStages(*operation, context);
+    return computeStages(operation, Until::Program, context);
+  } catch (const Error& error) {
+    rethrowIn(error, "operation '" + id + "'");
+  }
+}
+
+motion::PlacementMap Pipeline::searchPlacement(const std::string& id,
+                                               const motion::PlacementSearch& search,
+                                               const JobContext& context) const {
+  const Operation& operation = operationOf(id);
+  try {
+    const OperationResult result = computeStages(operation, Until::Cell, context.portion(0.0, 0.3));
+    const auto params = motion::MotionParams::schema().read(operation.motion, "motion");
+    std::unique_ptr<collision::CellCollision> model;
+    if (params.checkCollisions && !result.cell->shapes.empty()) {
+      collision::CollisionSettings settings;
+      settings.safetyDistance = params.safetyDistance.value();
+      model = std::make_unique<collision::CellCollision>(*result.cell, *result.path,
+                                                         result.substrate.get(), settings, context);
+    }
+    return motion::searchPlacement(*result.path, *result.cell, model.get(), params, search,
+                                   context.portion(0.3, 1.0, "placement"));
   } catch (const Error& error) {
     rethrowIn(error, "operation '" + id + "'");
   }
 }
 
 OperationResult Pipeline::computeStages(const Operation& operation,
+                                        Until until,
                                         const JobContext& context) const {
   OperationResult result;
   result.id = operation.id;
@@ -337,6 +434,10 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   result.process = processOf(operation, processParams);
   input.bead = {result.process.heightMin.value(), result.process.heightMax.value(),
                 result.process.beadWidth.value()};
+  for (std::size_t i = 0; i < result.parts.size(); ++i) {
+    collect(result.findings,
+            compareWithBead(*result.parts[i], operation.parts[i], input.bead.width), operation.id);
+  }
   const auto strategy = plugins_->findSlicing(operation.strategy);
   const Value sliceParams = strategy->info.params.complete(operation.params, "params");
   sliceKey.text(substrate.key)
@@ -376,18 +477,28 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   const Staged<cell::Cell> cell = stageCell(context);
   collectFrom(cell);
   result.cell = cell.value;
+  if (until == Until::Cell) {
+    return result;
+  }
   const auto motionParams = motion::MotionParams::schema().read(operation.motion, "motion");
   StageKey motionKey("motion", kMotionVersion);
   motionKey.text(processed.key)
       .text(cell.key)
+      .text(substrate.key)
       .params(motion::MotionParams::schema().params().complete(operation.motion));
-  const auto motion = stage<motion::PlannedMotion>(
+  const auto motion = stage<motion::CheckedMotion>(
       "motion", std::move(motionKey), context.portion(0.7, 0.95, "motion"),
       [&](const JobContext& own) {
-        return motion::planMotion(*processed.value, *cell.value, motionParams, operation.id, own);
+        return motion::planCheckedMotion(*processed.value, *cell.value, substrate.value.get(),
+                                         motionParams, operation.id, own);
       });
   collectFrom(motion);
-  result.motion = motion.value;
+  result.motion =
+      std::shared_ptr<const motion::PlannedMotion>(motion.value, &motion.value->planned);
+  result.collisions = motion.value->collisions;
+  if (motion.value->pathChanged) {
+    result.path = std::shared_ptr<const toolpath::Toolpath>(motion.value, &motion.value->path);
+  }
 
   StageKey programKey("program", kProgramVersion);
   programKey.text(motion.key)
@@ -399,7 +510,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       [&](const JobContext& own) {
         const program::ArcSettings arc{result.process.job, result.process.craterTime.value(),
                                        motionParams.jointSpeedRatio};
-        return program::programFromMotion(*motion.value, *cell.value, arc, operation.id,
+        return program::programFromMotion(motion.value->planned, *cell.value, arc, operation.id,
                                           document_.project().name, own);
       });
   collectFrom(program);

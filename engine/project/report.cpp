@@ -4,6 +4,7 @@
 #include "wcam/project/report.hpp"
 
 #include "wcam/base/quantity.hpp"
+#include "wcam/cell/joint_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -156,12 +157,46 @@ double travelLength(const motion::Motion& motion) {
   return length;
 }
 
-Value jointValue(const std::string& name, const motion::JointStatistics& joint) {
-  Value value = Value::object(
-      {{"name", name}, {"min_deg", radToDeg(joint.min)}, {"max_deg", radToDeg(joint.max)}});
+Value jointValue(const cell::Joint& joint, const motion::JointStatistics& figures) {
+  const std::string unit = std::string("_") + cell::jointUnit(joint);
+  Value value = Value::object({{"name", joint.name}});
+  value.set("min" + unit, cell::toJointUnit(joint, figures.min))
+      .set("max" + unit, cell::toJointUnit(joint, figures.max));
   // An endless joint has no limit and hence no margin.
-  value.set("margin_deg", std::isfinite(joint.margin) ? Value(radToDeg(joint.margin)) : Value());
-  return value.set("max_speed_ratio", joint.maxSpeedRatio);
+  value.set("margin" + unit, std::isfinite(figures.margin)
+                                 ? Value(cell::toJointUnit(joint, figures.margin))
+                                 : Value());
+  return value.set("max_speed_ratio", figures.maxSpeedRatio);
+}
+
+/// Reversals while the arc burns: how many of each joint, and those whose backlash is known.
+Value reversalsValue(const OperationResult& result) {
+  const motion::MotionStatistics& s = result.motion->statistics;
+  std::vector<std::size_t> counts(s.joints.size(), 0);
+  Value list = Value::array();
+  for (const motion::Reversal& reversal : s.reversals) {
+    const motion::Waypoint& point = result.motion->motion.waypoints[reversal.waypoint];
+    if (!point.arc) {
+      continue;
+    }
+    ++counts[static_cast<std::size_t>(reversal.joint)];
+    const cell::Joint& joint = result.cell->joint(reversal.joint);
+    if (joint.backlash > 0.0) {
+      const Eigen::Vector3d& e = reversal.effect;
+      list.push(Value::object({{"time_s", reversal.time},
+                               {"layer", point.layer},
+                               {"bead", point.bead},
+                               {"point", point.point},
+                               {"joint", joint.name},
+                               {"direction", reversal.direction},
+                               {"effect_mm", Value(Value::Array{e.x(), e.y(), e.z()})}}));
+    }
+  }
+  Value byJoint = Value::object();
+  for (std::size_t j = 0; j < counts.size(); ++j) {
+    byJoint.set(result.cell->joint(static_cast<int>(j)).name, counts[j]);
+  }
+  return Value::object({{"by_joint", byJoint}, {"known_effects", list}});
 }
 
 void addMotion(Value& report, const OperationResult& result) {
@@ -175,9 +210,22 @@ void addMotion(Value& report, const OperationResult& result) {
       .set("branch", s.branch);
   Value joints = Value::array();
   for (std::size_t j = 0; j < s.joints.size(); ++j) {
-    joints.push(jointValue(result.cell->joint(static_cast<int>(j)).name, s.joints[j]));
+    joints.push(jointValue(result.cell->joint(static_cast<int>(j)), s.joints[j]));
   }
-  report.set("joints", joints);
+  report.set("joints", joints).set("reversals", reversalsValue(result));
+}
+
+/// Null when nothing was looked at.
+Value collisionValue(const motion::CollisionStatistics& s) {
+  if (!s.checked) {
+    return Value();
+  }
+  return Value::object({{"least_distance_mm", s.leastDistance},
+                        {"states", s.states},
+                        {"colliding_points", s.collidingPoints},
+                        {"near_points", s.nearPoints},
+                        {"turned_points", s.turnedPoints},
+                        {"greatest_exit_rotation_deg", radToDeg(s.greatestExit)}});
 }
 
 }  // namespace
@@ -191,6 +239,7 @@ Value operationReport(const OperationResult& result) {
   addProcess(report, result);
   addPath(report, result);
   addMotion(report, result);
+  report.set("collision", collisionValue(result.collisions));
   report.set("diagnostics_by_code", countsByCode(result.findings));
   return report;
 }

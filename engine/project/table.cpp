@@ -3,6 +3,7 @@
 
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/cell/joint_text.hpp"
 #include "wcam/project/report.hpp"
 
 #include <charconv>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kVectorDecimals = 9;
 constexpr int kFigureDecimals = 6;
-/// Joints in degrees: a millionth is 17 nm on a robot of 1 m.
+/// Joints in degrees (a millionth is 17 nm on a robot of 1 m) or mm.
 constexpr int kJointDecimals = 6;
 
 class Row {
@@ -77,7 +78,7 @@ std::string operationTable(const OperationResult& result) {
       "tcp_speed_mm_s";
   const int joints = result.cell->jointCount();
   for (int j = 0; j < joints; ++j) {
-    out += ",j" + std::to_string(j + 1) + "_deg";
+    out += ",j" + std::to_string(j + 1) + "_" + cell::jointUnit(result.cell->joint(j));
   }
   out += '\n';
   std::map<PointKey, const motion::Waypoint*> waypoints;
@@ -112,7 +113,8 @@ std::string operationTable(const OperationResult& result) {
         row.fixed(waypoint != nullptr ? waypoint->tcpSpeed : 0.0, kFigureDecimals);
         for (int j = 0; j < joints; ++j) {
           if (waypoint != nullptr && j < waypoint->joints.size()) {
-            row.fixed(radToDeg(waypoint->joints[j]), kJointDecimals);
+            row.fixed(cell::toJointUnit(result.cell->joint(j), waypoint->joints[j]),
+                      kJointDecimals);
           } else {
             row.text("");
           }

@@ -7,6 +7,7 @@
 #include "wcam/geometry/level_set.hpp"
 #include "wcam/geometry/refine.hpp"
 #include "wcam/toolpath/layer_distance.hpp"
+#include "wcam/toolpath/onto_parts.hpp"
 
 #include "corner_smoothing.hpp"
 #include "front_base.hpp"
@@ -596,6 +597,7 @@ SlicedLayers sliceConstantDistance(const std::vector<std::shared_ptr<const PartS
     throw Error(ErrorCode::JobFailed, "no layer fits on the part", "slicing",
                 "the part ends less than one step above its base: choose a smaller step");
   }
+  moveOntoParts(sliced, parts, sampling, context);
   checkDistances(sliced, options, sampling, context);
   return sliced;
 }

@@ -29,11 +29,13 @@ constexpr double kContinues = 0.99;
 /// Part of a step in which a curve is scanned for the end of the chord.
 constexpr double kScan = 0.25;
 constexpr int kBisections = 60;
-/// A point farther than this many times the part's size from the tessellation has left its face
-/// (faces are cut out of larger surfaces): well above the chord tolerance of any tessellation.
-constexpr double kOffPart = 5e-3;
+/// A point farther from the tessellation than this many times its own deviation from the exact
+/// surface has left the part (faces are cut out of larger surfaces).
+constexpr double kOffPart = 2.0;
 /// Ends of faces meet within this part of the part's size.
 constexpr double kMeets = 1e-5;
+/// A point lies on the face beside its own within this part of the part's size.
+constexpr double kOnOther = 1e-9;
 constexpr std::size_t kMostLayers = 1000000;
 
 /// A point that climbs along an iso-curve.
@@ -54,7 +56,17 @@ public:
         patch_(part),
         tree_(part.mesh),
         size_(std::max(1.0, part.mesh.bounds().diagonal())),
-        direction_(direction) {}
+        direction_(direction) {
+    for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t) {
+      const auto& v = part.mesh.triangles[t];
+      const auto& uv = part.binding.uv[t];
+      const Vec3 centre =
+          (part.mesh.vertices[v[0]] + part.mesh.vertices[v[1]] + part.mesh.vertices[v[2]]) / 3.0;
+      const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3.0;
+      deviation_ = std::max(deviation_,
+                            (evaluator_.surface(part.binding.face[t], middle).p - centre).norm());
+    }
+  }
 
   /// Places the samples of a base curve on their faces and turns them to where the layers grow.
   std::vector<Climber> start(const Contour& base) {
@@ -105,8 +117,7 @@ public:
     // A curve may cross many small faces, but not return to where it was.
     for (int faces = 0; faces < 64; ++faces) {
       if (climbOnFace(at, from, step)) {
-        if (const auto hit = tree_.closestPoint(at.point.p);
-            hit && hit->distance <= kOffPart * size_) {
+        if (onPart(at)) {
           climber = at;
           return;
         }
@@ -120,6 +131,22 @@ public:
   }
 
 private:
+  /// False where the climber has gone over the edge of its face: nothing of the part is near, or
+  /// another face that does not pass through the climber.
+  [[nodiscard]] bool onPart(const Climber& at) const {
+    const auto hit = tree_.closestPoint(at.point.p);
+    if (!hit || hit->distance > kOffPart * deviation_ + kMeets * size_) {
+      return false;
+    }
+    if (part_.binding.face[hit->triangle] == at.face) {
+      return true;
+    }
+    std::int32_t face = -1;
+    Vec2 uv;
+    locate(at.point.p, face, uv);
+    return (evaluator_.surface(face, uv).p - at.point.p).norm() <= kOnOther * size_;
+  }
+
   [[nodiscard]] Vec3 tangent(std::int32_t face, const Vec2& uv, int parameter) const {
     const geometry::SurfacePoint s = evaluator_.surface(face, uv);
     const Vec3& d = parameter == 0 ? s.du : s.dv;
@@ -232,6 +259,7 @@ private:
   geometry::AabbTree tree_;
   double size_;
   IsoDirection direction_;
+  double deviation_ = 0.0;  ///< of the tessellation from the exact surface, mm
 };
 
 /// Runs of neighbouring climbers that are still on the part.

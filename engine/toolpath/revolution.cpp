@@ -6,6 +6,7 @@
 #include "wcam/geometry/level_set.hpp"
 #include "wcam/geometry/segment_tree.hpp"
 #include "wcam/toolpath/iso_parametric.hpp"
+#include "wcam/toolpath/onto_parts.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
 #include "level_curve.hpp"
@@ -468,6 +469,7 @@ SlicedLayers sliceRevolution(const std::vector<std::shared_ptr<const PartSurface
     throw Error(ErrorCode::JobFailed, "no layer fits on the part", "slicing",
                 "choose a smaller step");
   }
+  moveOntoParts(sliced, parts, sampling, context);
   return sliced;
 }
 

@@ -482,22 +482,26 @@ void MainWindow::saveReport() {
 }
 
 void MainWindow::writeReport(const std::filesystem::path& file) {
-  std::vector<project::ReportPicture> pictures;
+  // What is seen now goes to the end of the page.
+  std::string picture;
   if (view_ != nullptr) {
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
     view_->picture().save(&buffer, "PNG");
-    pictures.push_back({utf8(tr("View")), "data:image/png;base64," + png.toBase64().toStdString()});
+    picture = "<img alt=\"\" style=\"max-width:100%\" src=\"data:image/png;base64," +
+              png.toBase64().toStdString() + "\">";
   }
   session_->tasks().start(
       {utf8(tr("Report")),
-       [file, pictures, pipeline = session_->pipeline()](const JobContext& context) {
+       [file, picture, pipeline = session_->pipeline()](const JobContext& context) {
          project::RunRequest request;
          request.folder = file.parent_path();
          request.checkOnly = true;
          const project::RunResult result = project::runProject(pipeline, request, context);
-         writeFileAtomically(file, project::htmlReport(pipeline.document(), result, pictures));
+         std::string html = project::htmlReport(pipeline.document(), result);
+         html.insert(std::min(html.rfind("</body>"), html.size()), picture);
+         writeFileAtomically(file, html);
        },
        [this, file](const std::optional<Error>& error) {
          if (!error) {

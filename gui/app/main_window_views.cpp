@@ -381,9 +381,12 @@ QString moveTip(const PathModel& path, std::size_t move) {
     const cell::Cell* cell = path.result().cell.get();
     QStringList joints;
     for (int j = 0; cell != nullptr && j < waypoint->joints.size(); ++j) {
-      joints.append(QString("%1 %2°")
-                        .arg(qt(cell->joint(j).name))
-                        .arg(radToDeg(waypoint->joints[j]), 0, 'f', 1));
+      const bool slides = cell->joint(j).prismatic();
+      joints.append(
+          QString("%1 %2%3")
+              .arg(qt(cell->joint(j).name))
+              .arg(slides ? waypoint->joints[j] : radToDeg(waypoint->joints[j]), 0, 'f', 1)
+              .arg(slides ? " mm" : "°"));
     }
     row(MainWindow::tr("Joints"), joints.join(" "));
   }

@@ -150,6 +150,14 @@ private:
   Value values_ = Value::object();
 };
 
+QString sideName(const std::string& word) {
+  return word == "whole"    ? NodeText::tr("The whole surface")
+         : word == "outer"  ? NodeText::tr("Outer side")
+         : word == "inner"  ? NodeText::tr("Inner side")
+         : word == "middle" ? NodeText::tr("Middle")
+                            : qt(word);
+}
+
 std::vector<ParamChoice> componentsOf(const plugin::PluginHost& plugins,
                                       plugin::ComponentKind kind) {
   std::vector<ParamChoice> choices;
@@ -169,6 +177,12 @@ void addFields(Fields& fields,
   if (node.list == "parts") {
     fields.addFile(NodeText::tr("File"), NodeText::tr("CAD or mesh file of the part"));
     fields.addPlacement(value.find("placement"), "placement.");
+    std::vector<ParamChoice> sides;
+    for (const std::string& word : project::wallSideWords()) {
+      sides.push_back({word, utf8(sideName(word))});
+    }
+    fields.addChoice("surface", NodeText::tr("Side of a wall"), std::move(sides),
+                     NodeText::tr("working surface of a solid wall"));
     fields.addList(
         "faces", NodeText::tr("Faces"),
         NodeText::tr("numbers of the faces of the working surface; none: chosen automatically"));

@@ -251,7 +251,10 @@ std::vector<float> PathModel::values(Quantity quantity) const {
       case Quantity::LimitMargin: {
         double margin = std::numeric_limits<double>::infinity();
         for (int j = 0; j < cell->jointCount(); ++j) {
-          margin = std::min(margin, cell::limitMargin(cell->joint(j), w.joints[j]));
+          // Degrees and mm do not compare: of the joints that turn.
+          if (!cell->joint(j).prismatic()) {
+            margin = std::min(margin, cell::limitMargin(cell->joint(j), w.joints[j]));
+          }
         }
         return std::isfinite(margin) ? radToDeg(margin) : kNone;
       }

@@ -110,6 +110,7 @@ viewport::Point pointOf(const Vec3& p) {
 constexpr viewport::Colour kRobot = {232, 176, 42};
 constexpr viewport::Colour kJoint = {72, 78, 88};
 constexpr viewport::Colour kTable = {120, 130, 142};
+constexpr viewport::Colour kObstacle = {150, 140, 128};
 
 /// Origin of the next joint's frame, seen from a joint's frame: the same for all joint values.
 Vec3 nextOrigin(const cell::Joint& next) {
@@ -243,43 +244,133 @@ viewport::MeshData meshOf(const toolpath::Substrate& substrate) {
   return mesh;
 }
 
+namespace {
+
+/// A box as triangles, one face per side.
+MeshData boxMesh(const Vec3& size, const Pose& pose) {
+  MeshData mesh;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 sign((corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5,
+                    (corner & 4) != 0 ? 0.5 : -0.5);
+    addPoint(mesh.positions, pose * Vec3(size.cwiseProduct(sign)));
+  }
+  mesh.triangles = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                    2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  mesh.faces = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5};
+  return mesh;
+}
+
+void addShape(Body& body, const cell::Shape& shape, const viewport::Colour& colour) {
+  const Pose& T = shape.T_frame_shape;
+  const Vec3 half(0.0, 0.0, 0.5 * shape.length);
+  switch (shape.kind) {
+    case cell::ShapeKind::Sphere:
+      body.solids.push_back({Solid::Kind::Capsule, pointOf(T.translation()),
+                             pointOf(T.translation()), shape.radius, colour});
+      break;
+    case cell::ShapeKind::Capsule:
+    case cell::ShapeKind::Cylinder:
+      body.solids.push_back(
+          {shape.kind == cell::ShapeKind::Capsule ? Solid::Kind::Capsule : Solid::Kind::Cylinder,
+           pointOf(T * Vec3(-half)), pointOf(T * half), shape.radius, colour});
+      break;
+    case cell::ShapeKind::Box:
+      body.meshes.push_back(boxMesh(shape.size, T));
+      body.meshColour = colour;
+      break;
+    case cell::ShapeKind::Mesh:
+      if (shape.mesh != nullptr) {
+        MeshData mesh;
+        for (const Vec3& p : shape.mesh->vertices) {
+          addPoint(mesh.positions, T * p);
+        }
+        for (const auto& triangle : shape.mesh->triangles) {
+          mesh.triangles.insert(mesh.triangles.end(), triangle.begin(), triangle.end());
+        }
+        body.meshes.push_back(std::move(mesh));
+        body.meshColour = colour;
+      }
+      break;
+  }
+}
+
+/// Adds shapes to the bodies of their frames.
+void addShapes(std::vector<Body>& bodies,
+               const std::vector<cell::Shape>& shapes,
+               const viewport::Colour& colour) {
+  for (const cell::Shape& shape : shapes) {
+    const auto body = std::find_if(bodies.begin(), bodies.end(),
+                                   [&](const Body& b) { return b.name == shape.frame; });
+    if (body != bodies.end()) {
+      addShape(*body, shape, colour);
+    }
+  }
+}
+
+Body named(const std::string& name) {
+  Body body;
+  body.name = name;
+  return body;
+}
+
+}  // namespace
+
 std::vector<viewport::Body> bodiesOf(const cell::Cell& cell) {
   std::vector<Body> bodies;
-  addRobot(cell, bodies);
-  addPositioner(cell, bodies);
-  Body base;
-  base.name = "base";
-  base.solids.push_back({Solid::Kind::Cylinder, {0, 0, 0}, {0, 0, 60}, 150.0, kJoint});
-  if (!cell.robot.joints.empty()) {
-    const Vec3 first = cell.robot.T_root_first * nextOrigin(cell.robot.joints.front());
-    base.solids.push_back({Solid::Kind::Capsule, {0, 0, 30}, pointOf(first), 95.0, kRobot});
+  const bool ownRobot = !cell.shapes.robot.empty();
+  const bool ownPositioner = !cell.shapes.positioner.empty();
+  if (ownRobot) {
+    for (const cell::Joint& joint : cell.robot.joints) {
+      bodies.push_back(named(joint.name));
+    }
+  } else {
+    addRobot(cell, bodies);
+  }
+  if (ownPositioner) {
+    for (const cell::Joint& joint : cell.positioner.joints) {
+      bodies.push_back(named(joint.name));
+    }
+  } else {
+    addPositioner(cell, bodies);
+  }
+  Body base = named("base");
+  if (!ownRobot) {
+    base.solids.push_back({Solid::Kind::Cylinder, {0, 0, 0}, {0, 0, 60}, 150.0, kJoint});
+    if (!cell.robot.joints.empty()) {
+      const Vec3 first = cell.robot.T_root_first * nextOrigin(cell.robot.joints.front());
+      base.solids.push_back({Solid::Kind::Capsule, {0, 0, 30}, pointOf(first), 95.0, kRobot});
+    }
   }
   bodies.push_back(std::move(base));
-  Body table;
-  table.name = "table";
-  table.solids.push_back({Solid::Kind::Cylinder, {0, 0, -25}, {0, 0, 0}, 200.0, kTable});
+  Body table = named("table");
+  if (!ownPositioner) {
+    table.solids.push_back({Solid::Kind::Cylinder, {0, 0, -25}, {0, 0, 0}, 200.0, kTable});
+  }
   bodies.push_back(std::move(table));
+  for (const char* frame : {"world", "flange", "tcp"}) {
+    bodies.push_back(named(frame));
+  }
+  addShapes(bodies, cell.shapes.robot, kRobot);
+  addShapes(bodies, cell.shapes.positioner, kTable);
+  addShapes(bodies, cell.shapes.torch, kJoint);
+  addShapes(bodies, cell.shapes.obstacles, kObstacle);
   return bodies;
 }
 
 std::vector<geometry::Pose> bodyPoses(const cell::Cell& cell, const cell::JointVector& q) {
   std::vector<Pose> poses;
   const auto along = [&poses](const cell::Chain& chain, const double* values) {
-    Pose pose = chain.T_root_first;
-    for (std::size_t i = 0; i < chain.joints.size(); ++i) {
-      const cell::Joint& joint = chain.joints[i];
-      double angle = joint.theta + joint.sign * values[i];
-      for (std::size_t k = 0; k < joint.coupling.size() && k < i; ++k) {
-        angle += joint.coupling[k] * values[k];
-      }
-      pose = pose * cell::dhTransform(joint.alpha, joint.d, angle, joint.r);
-      poses.push_back(pose);
-    }
+    std::vector<Pose> frames(static_cast<std::size_t>(chain.size()) + 1);
+    cell::chainFrames(chain, values, frames.data());
+    poses.insert(poses.end(), frames.begin(), frames.end() - 1);
   };
   along(cell.robot, q.data());
   along(cell.positioner, q.data() + cell.robotJoints());
   poses.push_back(Pose::Identity());
   poses.push_back(cell::T_base_table(cell, q));
+  poses.push_back(cell.T_world_base.inverse());
+  poses.push_back(cell::T_base_flange(cell, q));
+  poses.push_back(cell::T_base_tcp(cell, q));
   return poses;
 }
 

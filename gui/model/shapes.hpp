@@ -19,8 +19,9 @@ viewport::MeshData meshOf(const toolpath::Substrate& substrate);
 
 viewport::Matrix matrixOf(const geometry::Pose& pose);
 
-/// The cell as simple solids from its kinematics: one body per joint frame of the robot, then of
-/// the positioner, then the base. Bodies are moved by bodyPoses().
+/// The cell as solids: one body per joint frame of the robot, then of the positioner, then base,
+/// table, world, flange and tcp. The collision shapes of the cell file where it has some, else
+/// capsules along the links. Bodies are moved by bodyPoses().
 std::vector<viewport::Body> bodiesOf(const cell::Cell& cell);
 /// Poses of the bodies in the base frame.
 std::vector<geometry::Pose> bodyPoses(const cell::Cell& cell, const cell::JointVector& q);

@@ -549,15 +549,21 @@ void Scene::setBodies(const std::vector<Body>& bodies) {
   impl_->bodies.clear();
   for (const Body& body : bodies) {
     std::vector<vtkSmartPointer<vtkActor>> actors;
-    for (const Solid& solid : body.solids) {
-      auto actor = makeActor(solidMesh(solid));
-      setColour(actor->GetProperty(), solid.colour);
+    const auto addActor = [&](vtkPolyData* data, const Colour& colour) {
+      auto actor = makeActor(data);
+      setColour(actor->GetProperty(), colour);
       actor->GetProperty()->SetSpecular(0.25);
       actor->GetProperty()->SetSpecularPower(25.0);
       actor->GetProperty()->SetAmbient(0.15);
       actor->SetVisibility(impl_->bodiesVisible);
       impl_->add(actor);
       actors.push_back(actor);
+    };
+    for (const Solid& solid : body.solids) {
+      addActor(solidMesh(solid), solid.colour);
+    }
+    for (const MeshData& mesh : body.meshes) {
+      addActor(surfaceOf(mesh), body.meshColour);
     }
     impl_->bodies.push_back(std::move(actors));
   }

@@ -60,6 +60,8 @@ struct Solid {
 struct Body {
   std::string name;
   std::vector<Solid> solids;
+  std::vector<MeshData> meshes;
+  Colour meshColour{};
 };
 
 /// What lies under the mouse.

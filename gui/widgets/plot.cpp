@@ -332,11 +332,17 @@ std::vector<double> timesOf(const PathModel& path) {
   return times;
 }
 
+/// Degrees of a joint that turns, mm of one that slides.
+double jointUnit(const cell::Joint& joint) {
+  return joint.prismatic() ? 1.0 : radToDeg(1.0);
+}
+
 /// Position (0), speed (1) or acceleration (2) of a joint in degrees and seconds.
 std::vector<float> jointValues(const PathModel& path, int joint, int kind) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   std::vector<float> values(path.size(), kNone);
-  const auto angle = [&](std::size_t i) { return radToDeg(path.waypoint(i)->joints[joint]); };
+  const double unit = jointUnit(path.result().cell->joint(joint));
+  const auto angle = [&](std::size_t i) { return unit * path.waypoint(i)->joints[joint]; };
   const auto speed = [&](std::size_t i) {
     const double dt = path.time(i) - path.time(i - 1);
     return dt > 1e-9 ? (angle(i) - angle(i - 1)) / dt : std::numeric_limits<double>::quiet_NaN();
@@ -358,11 +364,11 @@ std::vector<float> jointValues(const PathModel& path, int joint, int kind) {
 }
 
 std::pair<float, float> jointLimits(const cell::Joint& joint, int kind) {
+  const double unit = jointUnit(joint);
   if (kind == 0) {
-    return {static_cast<float>(radToDeg(joint.min)), static_cast<float>(radToDeg(joint.max))};
+    return {static_cast<float>(unit * joint.min), static_cast<float>(unit * joint.max)};
   }
-  const auto most =
-      static_cast<float>(radToDeg(kind == 1 ? joint.maxSpeed : joint.maxAcceleration));
+  const auto most = static_cast<float>(unit * (kind == 1 ? joint.maxSpeed : joint.maxAcceleration));
   return {-most, most};
 }
 
@@ -434,14 +440,17 @@ void JointPlot::rebuild() {
     }
   }
   const int kind = kind_->currentIndex();
-  static const std::array<const char*, 3> kUnits = {"°", "°/s", "°/s²"};
+  static const std::array<const char*, 3> kTurning = {"°", "°/s", "°/s²"};
+  static const std::array<const char*, 3> kSliding = {"mm", "mm/s", "mm/s²"};
   std::vector<Series> series;
   if (joint_->currentIndex() > 0) {
     const int j = joint_->currentIndex() - 1;
     series.push_back({qt(cell->joint(j).name),
                       kCurves[static_cast<std::size_t>(j) % kCurves.size()],
                       jointValues(*path, j, kind), jointLimits(cell->joint(j), kind)});
-    plot_->setData(timesOf(*path), std::move(series), kUnits[static_cast<std::size_t>(kind)]);
+    plot_->setData(
+        timesOf(*path), std::move(series),
+        (cell->joint(j).prismatic() ? kSliding : kTurning)[static_cast<std::size_t>(kind)]);
   } else {
     for (int j = 0; j < cell->jointCount(); ++j) {
       const auto limits = jointLimits(cell->joint(j), kind);

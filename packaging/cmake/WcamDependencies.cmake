@@ -11,6 +11,7 @@ find_package(EXPAT REQUIRED)
 find_library(WCAM_MINIZIP minizip REQUIRED)
 find_package(OpenCASCADE REQUIRED)
 find_package(CGAL REQUIRED)
+find_package(fcl 0.7 CONFIG REQUIRED)
 find_library(WCAM_MUPARSER muparser REQUIRED)
 # Clipper: its package has no CMake file. Boost.Polygon is header-only.
 find_library(WCAM_CLIPPER polyclipping REQUIRED)

@@ -7,6 +7,8 @@
 
 #include "ls_writer.hpp"
 
+#include <algorithm>
+
 namespace {
 
 using namespace fanuc;
@@ -37,6 +39,12 @@ void checkCell(const Program& program, const Dialect& dialect) {
     throw Error(ErrorCode::JobFailed,
                 "Cartesian positions need a robot with 6 joints, this one has " +
                     std::to_string(cell.robotJoints),
+                program.name, "set mode=joint");
+  }
+  const auto robotEnd =
+      cell.linearJoint.begin() + (cell.linearJoint.empty() ? 0 : cell.robotJoints);
+  if (std::find(cell.linearJoint.begin(), robotEnd, true) != robotEnd) {
+    throw Error(ErrorCode::JobFailed, "Cartesian positions need an arm; this robot has linear axes",
                 program.name, "set mode=joint");
   }
   if (cell.partCarried) {

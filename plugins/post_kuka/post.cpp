@@ -33,6 +33,13 @@ void checkCell(const Program& program, const Dialect& dialect) {
                     std::to_string(cell.positionerJoints),
                 program.name, "use a cell with a KUKA robot");
   }
+  const auto robotEnd =
+      cell.linearJoint.begin() + (cell.linearJoint.empty() ? 0 : cell.robotJoints);
+  if (std::find(cell.linearJoint.begin(), robotEnd, true) != robotEnd) {
+    throw Error(ErrorCode::JobFailed,
+                "a KUKA program has rotary robot axes, this robot linear ones", program.name,
+                "use a post-processor for Cartesian machines");
+  }
   if (cell.partCarried && dialect.mode == Mode::Cartesian) {
     throw Error(ErrorCode::JobFailed,
                 "Cartesian positions are not defined for a part that the robot carries",

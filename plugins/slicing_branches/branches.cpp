@@ -3,10 +3,12 @@
 
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/toolpath/field_heights.hpp"
+#include "wcam/toolpath/onto_parts.hpp"
 
 #include "piece_layers.hpp"
 
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace {
@@ -20,6 +22,7 @@ struct Params {
   double firstLayer = 1.0;
   Field field = Field::Height;
   Order order = Order::Level;
+  std::string pieces;
   Length leastBranch = 0.0_mm;
   Length edge = 0.0_mm;
 
@@ -61,6 +64,16 @@ const Schema<Params>& Params::schema() {
                                             {"bottom", "Piece by piece, the lowest first"},
                                             {"depth", "Piece by piece, upwards along each branch"},
                                             {"nearest", "Piece by piece, the nearest next"}}})
+          .add(&Params::pieces,
+               {.key = "pieces",
+                .label = "Strategies of single pieces",
+                .help = "What slices a piece instead of the common field: 1=spiral, 3=isovalues; "
+                        "*=spiral for all others. Methods: common, geodesic (distance from the "
+                        "lower end of the piece), isovalues, spiral (one bead; its heights stay "
+                        "inside the process's range). Pieces count from 0, the lowest first, as "
+                        "the finding slicing.branches lists them.",
+                .group = "Branches",
+                .level = ParamLevel::Advanced})
           .add(&Params::leastBranch,
                {.key = "least_branch",
                 .label = "Least branch",
@@ -94,6 +107,7 @@ public:
     options.leastBranch =
         params.leastBranch.value() > 0.0 ? params.leastBranch.value() : params.step.value();
     options.edge = params.edge.value();
+    options.methods = branches::parsePieceMethods(params.pieces);
     std::vector<branches::PieceLayers> pieces;
     bool any = false;
     for (std::size_t k = 0; k < input.parts.size(); ++k) {
@@ -117,7 +131,8 @@ public:
                   "choose a smaller step, or check the part's place above the substrate");
     }
     toolpath::SlicedLayers sliced = branches::arrange(std::move(pieces), params.order);
-    sliced.curved = params.field != Field::Height;
+    sliced.curved = params.field != Field::Height || !options.methods.common();
+    toolpath::moveOntoParts(sliced, input.parts, input.sampling, context);
     toolpath::reportHeights(sliced, input.bead, options.step,
                             "layers that follow the distance from the base keep the height best",
                             context);
@@ -132,7 +147,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Branching parts",
        .summary = "Cuts a part where its layers part or join and builds the pieces in a chosen "
                   "order, each layer on those that lie below it.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params()},
       [] { return std::make_unique<BranchSlicing>(); });
 }

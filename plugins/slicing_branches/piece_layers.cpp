@@ -6,14 +6,17 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/cut_mesh.hpp"
+#include "wcam/geometry/geodesic.hpp"
 #include "wcam/geometry/refine.hpp"
 #include "wcam/toolpath/base_curve.hpp"
 #include "wcam/toolpath/field_heights.hpp"
 #include "wcam/toolpath/iso_field.hpp"
 #include "wcam/toolpath/plane_field.hpp"
+#include "wcam/toolpath/spiral.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -47,10 +50,11 @@ public:
     std::vector<FieldPiece> pieces = geometry::splitAtSaddles(
         wall_, field_, options_.leastBranch, context_.portion(0.4, 0.6, "branches"));
     report(pieces);
+    checkMethods(pieces.size());
     std::vector<PieceLayers> result;
     for (FieldPiece& piece : pieces) {
       context_.check();
-      result.push_back(slicePiece(std::move(piece)));
+      result.push_back(slicePiece(std::move(piece), result.size()));
       context_.report(0.6 + 0.4 * static_cast<double>(result.size()) /
                                 static_cast<double>(pieces.size()));
     }
@@ -65,18 +69,13 @@ private:
       stack.step = options_.step;
       stack.firstLayer = options_.firstLayer;
       stack_ = toolpath::planeStack(input_.parts, *input_.substrate, stack);
-      wall_ = part;
+      wall_ = options_.methods.common() ? part : fineWall();
       for (const Vec3& p : wall_.mesh.vertices) {
         field_.push_back(stack_.up.dot(p) - stack_.base);
       }
       return;
     }
-    const double edge = options_.edge > 0.0
-                            ? options_.edge
-                            : geometry::fieldEdgeLength(part, kLayersPerEdge * options_.step);
-    wall_ = toolpath::openWall(
-        geometry::refineSurface(part, edge, context_.portion(0.0, 0.2, "refinement")),
-        *input_.substrate);
+    wall_ = fineWall();
     const JobContext own = context_.withOwnDiagnostics();
     if (options_.field == Field::Geodesic) {
       field_ =
@@ -91,6 +90,29 @@ private:
       // Standing on several legs is what branches are for.
       if (finding.code != "slicing.several_lower_borders") {
         context_.add(std::move(finding));
+      }
+    }
+  }
+
+  /// The part above the substrate, with a mesh that carries fields.
+  [[nodiscard]] PartSurface fineWall() const {
+    const PartSurface& part = *input_.parts[part_];
+    const double edge = options_.edge > 0.0
+                            ? options_.edge
+                            : geometry::fieldEdgeLength(part, kLayersPerEdge * options_.step);
+    return toolpath::openWall(
+        geometry::refineSurface(part, edge, context_.portion(0.0, 0.2, "refinement")),
+        *input_.substrate);
+  }
+
+  void checkMethods(std::size_t pieces) const {
+    for (const auto& [piece, method] : options_.methods.own) {
+      if (piece >= pieces) {
+        throw Error(ErrorCode::JobFailed,
+                    "the part has no piece " + std::to_string(piece) + ": its pieces are 0 to " +
+                        std::to_string(pieces - 1),
+                    "slicing of branching parts, pieces",
+                    "correct the number in 'pieces', or lower the least branch");
       }
     }
   }
@@ -121,23 +143,49 @@ private:
                    {"cuts", static_cast<double>(cuts.size())}}});
   }
 
-  PieceLayers slicePiece(FieldPiece&& piece) {
+  /// Layers of a piece; their levels are those of the common field unless pieceHeight_ is set.
+  toolpath::SlicedLayers layersOf(const FieldPiece& piece, std::size_t number) {
+    pieceHeight_ = 0.0;
+    try {
+      switch (options_.methods.of(number)) {
+        case Method::Geodesic:
+          return byOwnDistance(piece);
+        case Method::IsoValues:
+          return byIsoValues(piece);
+        case Method::Spiral:
+          return bySpiral(piece, number);
+        case Method::Common:
+          break;
+      }
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Cancelled) {
+        throw;
+      }
+      throw Error(error.code(), error.message(),
+                  "piece " + std::to_string(number) +
+                      (error.context().empty() ? "" : ": " + error.context()),
+                  error.hint());
+    }
+    return options_.field == Field::Height     ? byPlanes(piece)
+           : options_.field == Field::Geodesic ? byDistance(piece)
+                                               : byIsoValues(piece);
+  }
+
+  PieceLayers slicePiece(FieldPiece&& piece, std::size_t number) {
     PieceLayers result;
     result.from = piece.from;
     result.below = piece.below;
     result.above = piece.above;
-    toolpath::SlicedLayers sliced = options_.field == Field::Height     ? byPlanes(piece)
-                                    : options_.field == Field::Geodesic ? byDistance(piece)
-                                                                        : byIsoValues(piece);
+    toolpath::SlicedLayers sliced = layersOf(piece, number);
     for (SlicedLayer& layer : sliced.layers) {
-      result.levels.push_back(options_.field == Field::IsoValues ? commonLevel(piece, layer.level)
-                                                                 : layer.level);
+      result.levels.push_back(commonLevel(piece, layer.level));
       for (toolpath::Contour& contour : layer.contours) {
         contour.part = static_cast<int>(part_);
       }
       result.layers.push_back(std::move(layer));
     }
-    if (piece.below.size() > 1 && !result.layers.empty()) {
+    const bool layered = options_.methods.of(number) != Method::Spiral;
+    if (piece.below.size() > 1 && layered && !result.layers.empty()) {
       for (toolpath::Contour& contour : result.layers.front().contours) {
         contour.feature = toolpath::BeadFeature::Junction;
       }
@@ -205,21 +253,128 @@ private:
     return withHeights(piece, surface, field, within(levels, piece));
   }
 
-  /// A piece follows its own ends: its cuts and borders.
-  [[nodiscard]] toolpath::SlicedLayers byIsoValues(const FieldPiece& piece) {
-    pieceHeight_ = 0.0;
+  /// Vertices of the borders of a piece that lie at its lower and at its upper end.
+  struct Ends {
     std::vector<std::uint32_t> lower;
     std::vector<std::uint32_t> upper;
+  };
+
+  [[nodiscard]] Ends endsOf(const FieldPiece& piece) const {
+    Ends ends;
     const double slack = kOnEnd * options_.step;
     for (const auto& loop : piece.surface.halfEdges.borderLoops(piece.surface.mesh)) {
       for (const std::uint32_t v : loop) {
         if (piece.field[v] <= piece.from + slack) {
-          lower.push_back(v);
+          ends.lower.push_back(v);
         } else if (piece.field[v] >= piece.to - slack) {
-          upper.push_back(v);
+          ends.upper.push_back(v);
         }
       }
     }
+    return ends;
+  }
+
+  /// Distance from the lower end of the piece itself.
+  [[nodiscard]] toolpath::SlicedLayers byOwnDistance(const FieldPiece& piece) {
+    const Ends ends = endsOf(piece);
+    if (ends.lower.empty()) {
+      return byDistance(piece);
+    }
+    geometry::GeodesicSource source;
+    source.vertices = ends.lower;
+    std::vector<bool> low(piece.surface.mesh.vertices.size(), false);
+    for (const std::uint32_t v : ends.lower) {
+      low[v] = true;
+    }
+    const auto& halfEdges = piece.surface.halfEdges;
+    for (std::uint32_t h = 0; h < 3 * piece.surface.mesh.triangles.size(); ++h) {
+      const auto& [a, b] = halfEdges.edgeVertices(halfEdges.edgeOf(h));
+      if (halfEdges.twin(h) == geometry::HalfEdges::kNone && low[a] && low[b]) {
+        source.borderEdges.push_back(h);
+      }
+    }
+    toolpath::VertexField field{
+        {geometry::GeodesicSolver(piece.surface.mesh, halfEdges)
+             .distance(source, std::numeric_limits<double>::infinity(), context_)}};
+    const double farthest = *std::max_element(field.values[0].begin(), field.values[0].end());
+    pieceHeight_ = farthest;
+    const double first = piece.below.empty() ? options_.firstLayer : 1.0;
+    const double count = std::floor(farthest / options_.step - first + 1.0 + kOnEnd);
+    const auto surface = std::make_shared<const PartSurface>(piece.surface);
+    const auto levels =
+        toolpath::isoLevels({surface}, field, options_.step, first,
+                            static_cast<std::size_t>(std::max(0.0, count)), input_.substrate->up());
+    return withHeights(piece, surface, field, levels);
+  }
+
+  /// One bead through the whole piece.
+  [[nodiscard]] toolpath::SlicedLayers bySpiral(const FieldPiece& piece, std::size_t number) {
+    const toolpath::WallLimits limits = limitsOf(piece);
+    toolpath::SpiralWish wish;
+    wish.height = options_.step;
+    wish.heightMin = input_.bead.heightMin;
+    wish.heightMax = input_.bead.heightMax;
+    wish.end = limits.upper.empty() ? toolpath::SpiralEnd::Point : toolpath::SpiralEnd::Mirrored;
+    wish.endReserve = 0.5 * wish.height;
+    toolpath::GeneratrixOptions options;
+    options.up = input_.substrate->up();
+    options.step = wish.height;
+    options.sampling = input_.sampling;
+    const toolpath::Generatrices curves =
+        toolpath::decomposeWall(piece.surface, limits, options, context_.portion(0.6, 0.6));
+    std::vector<double> lengths;
+    for (const toolpath::Generatrix& curve : curves.curves) {
+      lengths.push_back(curve.length());
+    }
+    const toolpath::SpiralPlan plan = toolpath::planSpiral(lengths, wish);
+    if (plan.excess) {
+      context_.add({Severity::Warning,
+                    "slicing.spiral_infeasible",
+                    "piece " + std::to_string(number) + " needs a deposit of " +
+                        formatFixed(plan.excess->height, 3) + " mm, outside of " +
+                        formatFixed(wish.heightMin, 3) + " to " + formatFixed(wish.heightMax, 3) +
+                        " mm",
+                    "a range of " + toolpath::rangeThatWouldDo(lengths, wish) + " would do",
+                    {},
+                    {{"piece", static_cast<double>(number)}, {"deposit_mm", plan.excess->height}}});
+    }
+    pieceHeight_ = piece.to - piece.from;
+    toolpath::SlicedLayers sliced =
+        toolpath::spiralAlong(piece.surface, curves, plan, wish, context_.withOwnDiagnostics());
+    for (SlicedLayer& layer : sliced.layers) {
+      layer.level = 0.0;
+    }
+    return sliced;
+  }
+
+  /// The one loop on which a piece stands and the one at which it ends.
+  [[nodiscard]] toolpath::WallLimits limitsOf(const FieldPiece& piece) const {
+    toolpath::WallLimits limits;
+    const double middle = 0.5 * (piece.from + piece.to);
+    for (const auto& loop : piece.surface.halfEdges.borderLoops(piece.surface.mesh)) {
+      double mean = 0.0;
+      for (const std::uint32_t v : loop) {
+        mean += piece.field[v] / static_cast<double>(loop.size());
+      }
+      std::vector<std::uint32_t>& end = mean < middle ? limits.lower : limits.upper;
+      if (!end.empty()) {
+        throw Error(ErrorCode::JobFailed, "it has several borders at one end",
+                    "slicing of branching parts",
+                    "a spiral needs one border below and at most one above: slice this piece by "
+                    "isovalues");
+      }
+      end = loop;
+    }
+    if (limits.lower.empty()) {
+      throw Error(ErrorCode::JobFailed, "it has no border to stand on",
+                  "slicing of branching parts", "slice this piece by isovalues");
+    }
+    return limits;
+  }
+
+  /// A piece follows its own ends: its cuts and borders.
+  [[nodiscard]] toolpath::SlicedLayers byIsoValues(const FieldPiece& piece) {
+    const auto [lower, upper] = endsOf(piece);
     if (lower.empty() || upper.empty()) {
       return byDistance(piece);  // it closes in a point: the common field has its distance
     }

@@ -5,6 +5,7 @@
 #include "wcam/geometry/refine.hpp"
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/toolpath/base_curve.hpp"
+#include "wcam/toolpath/onto_parts.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
 #include <algorithm>
@@ -157,7 +158,8 @@ public:
     const auto levels = levelsUpTo(params, farthest, input.substrate->up());
     toolpath::SlicedLayers sliced =
         toolpath::sliceByField(parts, field, levels, *input.substrate, input.sampling,
-                               context.portion(0.6, 1.0, "slicing"));
+                               context.portion(0.6, 0.9, "slicing"));
+    toolpath::moveOntoParts(sliced, input.parts, input.sampling, context.portion(0.9, 1.0));
     sliced.curved = true;
     return sliced;
   }

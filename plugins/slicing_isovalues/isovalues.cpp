@@ -5,6 +5,7 @@
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/toolpath/field_heights.hpp"
 #include "wcam/toolpath/iso_field.hpp"
+#include "wcam/toolpath/onto_parts.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -124,6 +125,7 @@ public:
                                context.portion(0.6, 0.9, "slicing"));
     sliced.curved = true;
     toolpath::setFieldHeights(sliced, walls, field, options.step);
+    toolpath::moveOntoParts(sliced, input.parts, input.sampling, context.portion(0.9, 1.0));
     toolpath::reportHeights(
         sliced, input.bead, options.step,
         "a larger share of distances spreads the heights more evenly, and branches get steps of "

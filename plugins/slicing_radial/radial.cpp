@@ -5,6 +5,7 @@
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/refine.hpp"
 #include "wcam/plugin/plugin.hpp"
+#include "wcam/toolpath/onto_parts.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
 #include <algorithm>
@@ -349,6 +350,7 @@ public:
                                         ? sliceByAngle(input, params, axis, substrate, context)
                                         : sliceByHeight(input, params, axis, substrate, context);
     sliced.curved = true;
+    toolpath::moveOntoParts(sliced, given.parts, given.sampling, context);
     for (toolpath::SlicedLayer& layer : sliced.layers) {
       setBuildDirection(layer);
     }
@@ -461,7 +463,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Around an axis",
        .summary = "Layers on cylinders, cones, spheres or half-planes around an axis: flanges on a "
                   "shaft, blades on a hub, bent walls.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params()},
       [] { return std::make_unique<RadialSlicing>(); });
 }

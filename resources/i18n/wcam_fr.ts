@@ -199,6 +199,30 @@
         <source>Settings</source>
         <translation>Réglages</translation>
     </message>
+    <message>
+        <source>The whole surface</source>
+        <translation>Toute la surface</translation>
+    </message>
+    <message>
+        <source>Outer side</source>
+        <translation>Côté extérieur</translation>
+    </message>
+    <message>
+        <source>Inner side</source>
+        <translation>Côté intérieur</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Milieu</translation>
+    </message>
+    <message>
+        <source>Side of a wall</source>
+        <translation>Côté d’une paroi</translation>
+    </message>
+    <message>
+        <source>working surface of a solid wall</source>
+        <translation>surface de travail d’une paroi épaisse</translation>
+    </message>
 </context>
 <context>
     <name>engine</name>
@@ -1506,6 +1530,66 @@
         <source>mm/sec</source>
         <translation>mm/s</translation>
     </message>
+    <message>
+        <source>Acceleration of the torch</source>
+        <translation>Accélération de la torche</translation>
+    </message>
+    <message>
+        <source>Acceleration time of joints</source>
+        <translation>Temps d’accélération des axes</translation>
+    </message>
+    <message>
+        <source>Check collisions</source>
+        <translation>Contrôler les collisions</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Collision</translation>
+    </message>
+    <message>
+        <source>Effect of joint reversals</source>
+        <translation>Effet des inversions d’axes</translation>
+    </message>
+    <message>
+        <source>Greatest lateral tilt</source>
+        <translation>Inclinaison latérale maximale</translation>
+    </message>
+    <message>
+        <source>Greatest lead or lag</source>
+        <translation>Avance ou retard maximal</translation>
+    </message>
+    <message>
+        <source>Least wire feed</source>
+        <translation>Vitesse de fil minimale</translation>
+    </message>
+    <message>
+        <source>Safety distance</source>
+        <translation>Distance de sécurité</translation>
+    </message>
+    <message>
+        <source>Smoothness of exit rotations</source>
+        <translation>Douceur des rotations d’évitement</translation>
+    </message>
+    <message>
+        <source>Speed prediction</source>
+        <translation>Prévision de vitesse</translation>
+    </message>
+    <message>
+        <source>Strategies of single pieces</source>
+        <translation>Stratégies par morceau</translation>
+    </message>
+    <message>
+        <source>Tolerance of the speed</source>
+        <translation>Tolérance de vitesse</translation>
+    </message>
+    <message>
+        <source>Turn the torch out of collisions</source>
+        <translation>Écarter la torche des collisions</translation>
+    </message>
+    <message>
+        <source>Wire feed follows the speed</source>
+        <translation>Le fil suit la vitesse</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -2784,10 +2868,6 @@
     <message>
         <source>Web pages (*.html)</source>
         <translation>Pages web (*.html)</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Vue</translation>
     </message>
     <message>
         <source>Report</source>

@@ -106,6 +106,28 @@ TEST_F(Options, TableOnlyWhenAskedFor) {
   EXPECT_FALSE(fs::exists(folder_ / "plain/planar.csv"));
 }
 
+TEST_F(Options, ReportForPeopleIsOnePage) {
+  const ProcessResult result =
+      camcli({"--project", elbow_, "--output", "out", "--report", "pages/elbow.html"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const std::string page = readFile(folder_ / "pages/elbow.html");
+  EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
+  for (const char* part : {"<svg", "Layer height along the path", "Travel speed", "Joints",
+                           "Findings", "Parameters", "GUIDE.LS"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  // Nothing is fetched from elsewhere, and nothing in it depends on the moment.
+  for (const char* part : {"http-equiv", "<script", "<link", "src=", "url(", "nan", "inf\""}) {
+    EXPECT_EQ(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(camcli({"check", elbow_, "--report", "again.html"}).exitCode, 0);
+  EXPECT_EQ(
+      camcli({"--project", elbow_, "--output", "out", "--report", "same.html", "--threads", "1"})
+          .exitCode,
+      0);
+  EXPECT_EQ(readFile(folder_ / "same.html"), page);
+}
+
 TEST_F(Options, ReportFileEqualsTheReport) {
   const ProcessResult result =
       camcli({"--project", elbow_, "--output", "out", "--report", "new folder/r.json", "--json"});

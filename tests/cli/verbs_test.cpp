@@ -255,5 +255,62 @@ TEST_F(Completion, GivesVerbsOptionsAndComponents) {
   EXPECT_EQ(completed("camcli --project so", 2), "some.wcam\n");
 }
 
+TEST_F(Verbs, SpeedFromMotorSpeeds) {
+  // Only the table turns: 4 degrees per second at 100 rpm.
+  std::string recording = "time_s,S_rpm,L_rpm,U_rpm,R_rpm,B_rpm,T_rpm,E1_rpm,E2_rpm\n";
+  for (int i = 0; i < 50; ++i) {
+    recording += formatFixed(0.004 * i, 3) + ",0,0,0,0,0,0,0," + (i < 30 ? "100" : "150") + "\n";
+  }
+  file("rec.csv", recording);
+  const std::vector<std::string> run = {
+      "speed", "rec.csv", "--cell", "yaskawa_ma1440_mt250", "--joints", "0,0,0,0,-90,0,0,0"};
+  const ProcessResult table = camcli(run);
+  EXPECT_EQ(table.exitCode, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("time_s,j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg,j7_deg,j8_deg,"
+                                   "x_mm,y_mm,z_mm,vx_mm_s,vy_mm_s,vz_mm_s,speed_mm_s\n"));
+  EXPECT_THAT(table.err, HasSubstr("peak at "));
+  std::vector<std::string> more = run;
+  more.insert(more.end(), {"--json", "--output", "speed.csv", "--tolerance", "0.2"});
+  const ProcessResult json = camcli(more);
+  EXPECT_EQ(json.exitCode, 0) << json.err;
+  const Value summary = parseJson(json.out);
+  EXPECT_EQ(summary.at("samples").asInteger(), 50);
+  EXPECT_NEAR(summary.at("max_speed_mm_s").asReal() / summary.at("min_speed_mm_s").asReal(), 1.5,
+              1e-9);
+  ASSERT_EQ(summary.at("events").size(), 1U);
+  EXPECT_EQ(summary.at("events").asArray()[0].at("kind").asString(), "peak");
+  EXPECT_EQ(readFile(folder_ / "speed.csv"), table.out);
+}
+
+TEST_F(Verbs, SpeedTellsWhatIsWrong) {
+  file("rec.csv", "time_s,A1_rpm\n0,1\n1,1\n");
+  const auto run = [&](const std::string& cell, const std::string& joints) {
+    return camcli({"speed", "rec.csv", "--cell", cell, "--joints", joints});
+  };
+  const ProcessResult columns = run("kuka_kr16", "0,0,0,0,0,0");
+  EXPECT_EQ(columns.exitCode, 3);
+  EXPECT_THAT(columns.err,
+              HasSubstr("the columns A2_rpm, A3_rpm, A4_rpm, A5_rpm, A6_rpm are missing"));
+  const ProcessResult count = run("kuka_kr16", "0,0");
+  EXPECT_EQ(count.exitCode, 1);
+  EXPECT_THAT(count.err, HasSubstr("expected 6 values, got 2"));
+  EXPECT_THAT(run("kuka_kr16", "0,0,0,0,x,0").err, HasSubstr("'x' of joint A5 is not a number"));
+  file("rec.csv",
+       "time_s,A1_rpm,A2_rpm,A3_rpm,A4_rpm,A5_rpm,A6_rpm\n0,1,0,0,0,0,0\n1,1,0,0,0,0,0\n");
+  const ProcessResult ratios = run("kuka_kr16", "0,-90,90,0,0,0");
+  EXPECT_EQ(ratios.exitCode, 1);
+  EXPECT_THAT(ratios.err, HasSubstr("the reduction ratio is unknown of A1, A2, A3, A4, A5, A6"));
+  EXPECT_EQ(run("nobody.json", "0").exitCode, 3);
+  EXPECT_EQ(camcli({"speed", "rec.csv"}).exitCode, 1);
+  const ProcessResult zero = camcli({"speed", "rec.csv", "--cell", "kuka_kr360_platter", "--joints",
+                                     "0,0,0,0,0,0,0", "--zero", "fanuc"});
+  EXPECT_EQ(zero.exitCode, 1);
+  EXPECT_THAT(zero.err, HasSubstr("kuka, script"));
+  EXPECT_EQ(camcli({"speed", "rec.csv", "--cell", "kuka_kr16", "--joints", "0,0,0,0,0,0", "--speed",
+                    "-3"})
+                .exitCode,
+            1);
+}
+
 }  // namespace
 }  // namespace wcam::testing

@@ -11,6 +11,8 @@
 #include "example_project.hpp"
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <thread>
 #include <vector>
 
@@ -199,6 +201,43 @@ TEST(Pipeline, UnreachablePartIsAViolationAndGetsNoProgram) {
                           result.operations[0].findings.end(),
                           [](const Diagnostic& d) { return d.code == "motion.unreachable"; }));
   std::filesystem::remove_all(request.folder);
+}
+
+TEST(Pipeline, MiddleOfASolidWallIsTheWorkingSurface) {
+  Document document = test::exampleDocument("elbow");
+  const std::string cup = std::string(WCAM_TEST_DATA) + "/step/cup.step";
+  document = with(document, "part.add",
+                  R"({"id": "cup", "file": {"path": ")" + cup + R"("}, "surface": "middle"})");
+  document = with(document, "operation.add",
+                  R"({"id": "wall", "strategy": "wcam.slicing.planar", "parts": ["cup"],
+                      "substrate": "plate", "process": "steel", "params": {"step": 4}})");
+  const OperationResult result = compute(document, std::make_shared<StageCache>(), "wall");
+  const auto count = [&](const char* code) {
+    return std::count_if(result.findings.begin(), result.findings.end(),
+                         [&](const Diagnostic& finding) { return finding.code == code; });
+  };
+  EXPECT_EQ(count("part.wall_thickness"), 1);
+  ASSERT_FALSE(result.path->layers.empty());
+  for (const toolpath::Layer& layer : result.path->layers) {
+    for (const toolpath::Bead& bead : layer.beads) {
+      for (const toolpath::PathPoint& point : bead.points) {
+        if (point.p.z() > 12.0) {
+          // Halfway across the 6 mm of the cone, within the facets of the tessellation.
+          EXPECT_NEAR(std::hypot(point.p.x(), point.p.y()), 30.0 + point.p.z() / 8.0 - 3.0, 0.1);
+        }
+      }
+    }
+  }
+  // Words that are none, and both ways at once, are refused with their place.
+  for (const char* wrong : {R"({"id": "cup", "surface": "left"})",
+                            R"({"id": "cup", "surface": "outer", "faces": [0]})"}) {
+    try {
+      (void)with(document, "part.set", wrong);
+      ADD_FAILURE() << wrong;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(".surface"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(Report, HasEveryFigureOfAnOperation) {

@@ -168,13 +168,23 @@ TEST(Shapes, BodiesStandWhereTheKinematicsPutTheLinks) {
   const auto last = static_cast<std::size_t>(cell.robotJoints() - 1);
   const geometry::Pose T_base_flange = poses[last] * cell.robot.T_last_tip;
   EXPECT_TRUE(T_base_flange.isApprox(cell::T_base_flange(cell, q), 1e-12));
-  EXPECT_TRUE(poses.back().isApprox(cell::T_base_table(cell, q), 1e-12));
-  // Each drawn link ends at the origin of the next joint.
+  EXPECT_TRUE(poses[poses.size() - 4].isApprox(cell::T_base_table(cell, q), 1e-12));
+  EXPECT_TRUE(poses.back().isApprox(cell::T_base_tcp(cell, q), 1e-12));
+  std::size_t drawn = 0;
+  for (const viewport::Body& body : bodies) {
+    drawn += body.solids.size() + body.meshes.size();
+  }
+  EXPECT_GT(drawn, 6U);
+  // Without shapes of its own the cell is drawn along its links: each ends at the next joint.
+  cell::Cell bare = cell;
+  bare.shapes = {};
+  const auto links = bodiesOf(bare);
+  ASSERT_EQ(links.size(), poses.size());
   for (std::size_t i = 0; i < last; ++i) {
-    const viewport::Point end = bodies[i].solids.back().to;
-    if (bodies[i].solids.back().kind == viewport::Solid::Kind::Capsule) {
-      const geometry::Vec3 drawn = poses[i] * geometry::Vec3(end[0], end[1], end[2]);
-      EXPECT_NEAR((drawn - poses[i + 1].translation()).norm(), 0.0, 1e-9) << "joint " << i;
+    const viewport::Solid& solid = links[i].solids.back();
+    if (solid.kind == viewport::Solid::Kind::Capsule) {
+      const geometry::Vec3 end = poses[i] * geometry::Vec3(solid.to[0], solid.to[1], solid.to[2]);
+      EXPECT_NEAR((end - poses[i + 1].translation()).norm(), 0.0, 1e-9) << "joint " << i;
     }
   }
 }

@@ -9,6 +9,8 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
@@ -28,7 +30,9 @@
 #include <cmath>
 #include <exception>
 #include <functional>
+#include <initializer_list>
 #include <iostream>
+#include <utility>
 
 namespace {
 
@@ -104,6 +108,20 @@ void writeVase(const std::filesystem::path& file) {
                       file);
 }
 
+/// A cup as a solid: a bottom of 6 mm and a wall whose outer side is a cone from 30 to 40 mm in
+/// radius over 80 mm, 6 mm thick horizontally.
+void writeCup(const std::filesystem::path& file) {
+  BRepBuilderAPI_MakePolygon profile;
+  const double inner = 24.0 + 10.0 * 6.0 / 80.0;
+  for (const auto& [x, z] : std::initializer_list<std::pair<double, double>>{
+           {0.0, 0.0}, {30.0, 0.0}, {40.0, 80.0}, {34.0, 80.0}, {inner, 6.0}, {0.0, 6.0}}) {
+    profile.Add(gp_Pnt(x, 0.0, z));
+  }
+  profile.Close();
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(profile.Wire());
+  wcam::io::writeStep({{BRepPrimAPI_MakeRevol(face, gp_Ax1()).Shape(), "cup"}}, file);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -117,6 +135,7 @@ int main(int argc, char** argv) {
     writeBentTube(folder / "bent_tube.step");
     writeYBranch(folder / "y_branch.step");
     writeVase(folder / "vase_rim.step");
+    writeCup(folder / "cup.step");
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 2;

@@ -5,6 +5,7 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/cell/cell.hpp"
 
+#include <cmath>
 #include <initializer_list>
 #include <random>
 #include <string>
@@ -56,6 +57,10 @@ inline JointVector randomJoints(std::mt19937_64& random, int count, double range
     q(j) = uniform(random, -range, range);
   }
   return q;
+}
+
+inline double angleBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 /// Largest difference of two poses: mm of the translation, or of the rotation matrices.

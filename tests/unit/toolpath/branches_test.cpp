@@ -101,6 +101,62 @@ TEST(Branches, LegsMeetInAJunction) {
   }
 }
 
+TEST(Branches, EveryPieceMayHaveItsOwnStrategy) {
+  plugin::SliceInput input = inputOf(test::forkMesh(45));
+  input.bead = {1.0, 3.0, 8.0};
+  // One bead for each of the three pieces.
+  const SlicedLayers spirals =
+      test::slice(kBranches, input,
+                  R"({"step": 2, "field": "geodesic", "order": "bottom", "pieces": "*=spiral"})");
+  ASSERT_EQ(spirals.layers.size(), 3U);
+  EXPECT_TRUE(spirals.curved);
+  EXPECT_TRUE(spirals.layers[0].below->empty());
+  for (std::size_t l = 0; l < 3; ++l) {
+    ASSERT_EQ(spirals.layers[l].contours.size(), 1U);
+    const Contour& contour = spirals.layers[l].contours.front();
+    EXPECT_FALSE(contour.closed);
+    EXPECT_GT(contour.turns.size(), 5U);
+    if (l > 0) {
+      EXPECT_EQ(*spirals.layers[l].below, std::vector<std::size_t>{0});
+      EXPECT_GT(contour.points.front().p.z(),
+                spirals.layers[0].contours.front().points.back().p.z() - 4.0);
+    }
+  }
+  const geometry::AabbTree tree(input.parts[0]->mesh);
+  for (const SlicedLayer& layer : spirals.layers) {
+    for (const ContourPoint& point : layer.contours.front().points) {
+      EXPECT_LT(tree.closestPoint(point.p)->distance, 1e-6);
+    }
+  }
+  // The trunk by planes, one branch as a spiral, the other by its own distance.
+  const SlicedLayers mixed = test::slice(
+      kBranches, input, R"({"step": 2, "order": "bottom", "pieces": "1=spiral, 2=geodesic"})");
+  std::size_t beads = 0;
+  for (const SlicedLayer& layer : mixed.layers) {
+    beads += layer.contours.front().turns.empty() ? 0U : 1U;
+  }
+  EXPECT_EQ(beads, 1U);
+  EXPECT_GT(mixed.layers.size(), 20U);
+  expectSound(mixed, *input.parts[0], 1e3);
+}
+
+TEST(Branches, WrongStrategiesOfPiecesNameTheItem) {
+  const plugin::SliceInput input = inputOf(test::forkMesh(45));
+  const auto expectError = [&](const std::string& pieces, const char* words) {
+    EXPECT_THAT(errorOf(ErrorCode::JobFailed,
+                        [&] {
+                          (void)test::slice(kBranches, input,
+                                            R"({"step": 2, "pieces": ")" + pieces + "\"}");
+                        }),
+                ::testing::HasSubstr(words));
+  };
+  expectError("spiral", "'spiral' has no '='");
+  expectError("1=planar", "'1=planar' names no method");
+  expectError("x=spiral", "'x=spiral' begins with no number");
+  expectError("1=spiral,1=common", "names a piece twice");
+  expectError("7=spiral", "no piece 7");
+}
+
 TEST(Branches, OrdersOfAFork) {
   const plugin::SliceInput input = inputOf(test::forkMesh(45));
   const auto sideOf = [](const SlicedLayer& layer) {

@@ -14,16 +14,24 @@ namespace wcam::cell {
 using geometry::Pose;
 using geometry::Vec3;
 
-/// Columns: one per joint. Rows: linear velocity (mm per rad), then angular velocity.
+/// Columns: one per joint. Rows: linear velocity (mm per rad, or mm per mm), then angular velocity.
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12>;
 /// Linear velocity of the TCP in the part frame per joint.
 using PartJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 12>;
 
-/// A revolute joint in modified Denavit–Hartenberg form (Khalil):
-/// Rot(x, alpha)·Trans(x, d)·Rot(z, angle)·Trans(z, r) with
-/// angle = theta + sign·q + Σ coupling[k]·q[k] over the joints before it; q are controller values.
+enum class JointType {
+  Revolute,  ///< values in rad
+  Prismatic  ///< values in mm
+};
+
+/// A joint in modified Denavit–Hartenberg form (Khalil):
+/// Rot(x, alpha)·Trans(x, d)·Rot(z, angle)·Trans(z, length). With the controller values q and
+/// v = sign·q + Σ coupling[k]·q[k] over the joints before it, a revolute joint has
+/// angle = theta + v and length = r, a prismatic one angle = theta and length = r + v.
+/// Wherever a quantity of a joint is in rad below, it is in mm for a prismatic joint.
 struct Joint {
   std::string name;
+  JointType type = JointType::Revolute;
   double alpha = 0.0;  ///< rad
   double d = 0.0;      ///< mm
   double theta = 0.0;  ///< angle at zero controller values, rad
@@ -39,8 +47,12 @@ struct Joint {
   /// rad/s² and rad/s³; infinite when the file does not tell.
   double maxAcceleration = std::numeric_limits<double>::infinity();
   double maxJerk = std::numeric_limits<double>::infinity();
-  double ratio = 0.0;       ///< motor turns per joint turn; 0 when the file does not tell
+  /// Motor turns per turn of the joint, or per mm; 0 when the file does not tell.
+  double ratio = 0.0;
   double resolution = 0.0;  ///< smallest programmable step, rad; 0 when the file does not tell
+  double backlash = 0.0;    ///< lost motion at a reversal, rad; 0 when the file does not tell
+
+  [[nodiscard]] bool prismatic() const { return type == JointType::Prismatic; }
 
   [[nodiscard]] bool within(double value) const { return value >= min && value <= max; }
 };
@@ -57,11 +69,15 @@ struct Chain {
 /// Rot(x, alpha)·Trans(x, d)·Rot(z, angle)·Trans(z, r).
 Pose dhTransform(double alpha, double d, double angle, double r);
 
-/// d(angle)/dq: lower triangular matrix of signs and couplings.
+/// d(angle or length)/dq: lower triangular matrix of signs and couplings.
 Eigen::MatrixXd couplingMatrix(const Chain& chain);
 
 /// Pose of the tip in the root frame. `q` points to chain.size() controller values.
 Pose chainPose(const Chain& chain, const double* q);
+
+/// Poses of the frames that turn with each joint, in the root frame, then of the tip: chain.size()
+/// + 1 poses. `q` points to chain.size() controller values.
+void chainFrames(const Chain& chain, const double* q, Pose* frames);
 
 /// Axis lines (point, unit direction) of all joints in the root frame, then the tip.
 struct ChainAxes {

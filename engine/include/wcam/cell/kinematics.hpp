@@ -23,10 +23,11 @@ Jacobian robotJacobian(const Cell& cell, const JointVector& q);
 /// M43, signs corrected). mm/rad.
 PartJacobian partJacobian(const Cell& cell, const JointVector& q);
 /// Ratio of the smallest to the largest singular value of the robot's block of partJacobian
-/// (Chalvin Eq. 1.8, linear block), 0..1.
+/// (Chalvin Eq. 1.8, linear block), 0..1. Of a machine with three prismatic joints: of their
+/// columns.
 double dexterity(const Cell& cell, const JointVector& q);
 
-/// Joint speeds from motor speeds (rpm) by the reduction ratios and signs of the file (M43), rad/s.
+/// Joint speeds from motor speeds (rpm) by the reduction ratios of the file (M43), rad/s or mm/s.
 /// @throws Error(InvalidArgument) when the sizes differ or a ratio is unknown
 JointVector jointSpeedsFromMotors(const Cell& cell, const JointVector& motorRpm);
 

@@ -7,7 +7,7 @@
 namespace wcam::cell {
 
 /// True when a full turn of the joint changes no pose, so that the turn is free to choose. (A
-/// joint that drives another one by a non-integer coupling is not.)
+/// joint that drives another one by a non-integer coupling is not, nor is a prismatic one.)
 bool periodicJoint(const Cell& cell, int joint);
 
 /// value + 2πk nearest to `reference`.

@@ -7,6 +7,7 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/value.hpp"
 #include "wcam/geometry/part_surface.hpp"
+#include "wcam/geometry/solid_wall.hpp"
 #include "wcam/geometry/types.hpp"
 
 #include <cstddef>
@@ -86,6 +87,8 @@ struct ImportReport {
 struct ImportedPart {
   std::shared_ptr<const geometry::PartSurface> surface;
   ImportReport report;
+  /// Of a working surface that is one side of a solid wall; filled by who chooses it.
+  std::optional<geometry::WallThickness> wallThickness;
 };
 
 /// Reads a part: STEP, IGES, BREP and formula surfaces (.wsurf) with their exact geometry; STL,

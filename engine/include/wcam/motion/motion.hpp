@@ -50,6 +50,16 @@ struct JointStatistics {
   double maxSpeedRatio = 0.0;  ///< greatest speed over the joint's maximum
 };
 
+/// A joint that turns round (Carrière M29).
+struct Reversal {
+  std::size_t waypoint = 0;
+  int joint = 0;
+  int direction = 1;  ///< of the joint afterwards, +1 or −1
+  double time = 0.0;  ///< s
+  /// Step of the TCP in the part frame by the joint's backlash, mm; zero when that is not known.
+  geometry::Vec3 effect = geometry::Vec3::Zero();
+};
+
 /// Figures of a motion for the report.
 struct MotionStatistics {
   std::vector<JointStatistics> joints;  ///< in the cell's order
@@ -60,7 +70,8 @@ struct MotionStatistics {
   double maxVerticalError =
       0.0;  ///< angle between a point's up and the vertical, torch carried, rad
   std::size_t unreachableWaypoints = 0;
-  std::string branch;  ///< "NUT" …, see cell::Branch
+  std::vector<Reversal> reversals;  ///< of all joints, in order
+  std::string branch;               ///< "NUT" …, see cell::Branch
 };
 
 /// What planMotion returns.

@@ -5,7 +5,9 @@
 #include "wcam/base/context.hpp"
 #include "wcam/base/param.hpp"
 #include "wcam/cell/cell.hpp"
+#include "wcam/collision/clearance.hpp"
 #include "wcam/motion/motion.hpp"
+#include "wcam/motion/time_law_params.hpp"
 #include "wcam/toolpath/toolpath.hpp"
 
 #include <string>
@@ -22,7 +24,7 @@ enum class LinkMode {
 };
 
 /// Parameters of the motion of an operation.
-struct MotionParams {
+struct MotionParams : TimeLawParams {
   Angle torchRotation{};  ///< constant rotation about the tool axis (R_Z, Chalvin A18)
   BranchChoice branch = BranchChoice::Auto;
   Length approachHeight{20.0};
@@ -38,6 +40,13 @@ struct MotionParams {
   Length shoulderMargin{50.0};
   Angle maxJointStep{degToRad(30.0)};
   Angle verticalTolerance{degToRad(1.0)};
+
+  bool checkCollisions = true;
+  Length safetyDistance{5.0};
+  bool exitRotations = false;
+  Angle exitLateral{degToRad(30.0)};
+  Angle exitLead{degToRad(10.0)};
+  double exitRate = 2.0;  ///< degrees per mm
 
   static const Schema<MotionParams>& schema();
 };
@@ -61,15 +70,26 @@ struct MotionParams {
 ///
 /// A toolpath without points gives an empty motion. Independent of the number of threads. About
 /// 3 µs per point.
+/// @param clearance of the operation, may be null
 /// @throws Error(JobFailed) when the cell's robot has no closed-form inverse kinematics
 PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& params,
                          const std::string& operationId,
-                         const JobContext& context);
+                         const JobContext& context,
+                         const collision::Clearance* clearance = nullptr);
 
-/// Fills time and tcpSpeed from speeds, joints and the joints' greatest speeds.
-void applyTimeLaw(Motion& motion, const cell::Cell& cell, double jointSpeedRatio);
+/// Fills time and tcpSpeed of all waypoints. The length of the path is the master: linear moves
+/// between two stops follow wcam/motion/speed_law.hpp with the wanted speed as the cap; joint moves
+/// go from rest to rest. The torch stops where the program does: at its ends, at joint moves, where
+/// the arc goes on or off. Without any acceleration (cell file, parameters) speeds change at once:
+/// a segment takes its length over its speed, or longer when a joint could not follow. Points at
+/// which nothing moves take no time. With wireFollowsSpeed the wire feed is lowered with the speed.
+void applyTimeLaw(Motion& motion,
+                  const cell::Cell& cell,
+                  const TimeLawParams& params,
+                  double jointSpeedRatio,
+                  const JobContext& context = JobContext());
 
 /// Figures of a motion; branch and maxVerticalError are left to the planner.
 MotionStatistics motionStatistics(const Motion& motion,

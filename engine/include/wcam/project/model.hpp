@@ -3,9 +3,11 @@
 #pragma once
 
 #include "wcam/base/value.hpp"
+#include "wcam/geometry/solid_wall.hpp"
 #include "wcam/geometry/types.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,8 +47,15 @@ struct Part {
   FileRef file;
   Value import;
   Placement placement;
-  std::vector<int> faces;  ///< faces of the working surface; empty: chosen automatically
+  std::vector<int> faces;  ///< faces of the working surface; empty: all
+  /// Side of a solid wall that is worked on; nothing: the surface as it is.
+  std::optional<geometry::WallSide> wallSide;
 };
+
+/// The side that a word of wallSideWords names; nothing for "whole".
+std::optional<geometry::WallSide> wallSideOf(const std::string& word);
+/// What a part's key "surface" may say: whole, outer, inner, middle.
+const std::vector<std::string>& wallSideWords();
 
 /// What a part is built on: a plate whose top is z = 0 of its frame, or an imported part.
 struct Substrate {

@@ -5,6 +5,8 @@
 #include "wcam/base/context.hpp"
 #include "wcam/cell/cell.hpp"
 #include "wcam/io/import.hpp"
+#include "wcam/motion/collisions.hpp"
+#include "wcam/motion/placement.hpp"
 #include "wcam/motion/plan.hpp"
 #include "wcam/plugin/host.hpp"
 #include "wcam/process/process.hpp"
@@ -28,9 +30,10 @@ struct OperationResult {
   std::vector<std::shared_ptr<const io::ImportedPart>> parts;
   std::shared_ptr<const toolpath::Substrate> substrate;
   std::shared_ptr<const toolpath::SlicedLayers> sliced;
-  std::shared_ptr<const toolpath::Toolpath> path;  ///< with process
+  std::shared_ptr<const toolpath::Toolpath> path;  ///< with process and exit rotations
   std::shared_ptr<const cell::Cell> cell;
   std::shared_ptr<const motion::PlannedMotion> motion;
+  motion::CollisionStatistics collisions;
   std::shared_ptr<const program::Program> program;
   process::ProcessParams process;
   std::vector<Diagnostic> findings;
@@ -54,6 +57,13 @@ public:
   /// @throws Error of the stage that fails, with the operation in its context
   [[nodiscard]] OperationResult compute(const std::string& operation,
                                         const JobContext& context) const;
+
+  /// Searches a place of an operation's part on its table, see motion::searchPlacement. Computes
+  /// everything up to the beads.
+  /// @throws Error as compute
+  [[nodiscard]] motion::PlacementMap searchPlacement(const std::string& operation,
+                                                     const motion::PlacementSearch& search,
+                                                     const JobContext& context) const;
 
   /// Prints an operation's program with an output's post-processor.
   [[nodiscard]] std::vector<plugin::OutputFile> post(const Output& output,
@@ -82,7 +92,12 @@ private:
       const Guide& guide, std::string& key, const JobContext& context) const;
   [[nodiscard]] process::ProcessParams processOf(const Operation& operation,
                                                  Value& completed) const;
+  /// The last stage that is wanted.
+  enum class Until { Cell, Program };
+  /// @throws Error(InvalidArgument) with a near name
+  [[nodiscard]] const Operation& operationOf(const std::string& id) const;
   [[nodiscard]] OperationResult computeStages(const Operation& operation,
+                                              Until until,
                                               const JobContext& context) const;
   [[nodiscard]] Staged<cell::Cell> stageCell(const JobContext& context) const;
 

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/collision/cell_collision.hpp"
+#include "wcam/motion/plan.hpp"
+
+#include <vector>
+
+namespace wcam::motion {
+
+/// Findings with remedies that have been tried: for every motion.unreachable, motion.joint_limit,
+/// motion.singularity, motion.collision and motion.near_collision of a bead, changes are made to
+/// the worst point of the bead, the smallest first, and those that put it right are tried at points
+/// spread over the bead. In this order: another rotation about the torch; another configuration of
+/// the arm; the positioner's other solution; a lead or lateral tilt within the tolerances; the part
+/// moved or turned on its table; the positioner moved in the base.
+///
+/// "Right" means reachable, inside the limits, outside the singularity margins of `params`, and
+/// free by the model (when there is one). The remedy tells the change with its figure and for how
+/// many of the points it serves, or that nothing that was tried does; data gets cure_* figures.
+/// Positions between the points, joint steps and speeds are not looked at: the next planning does
+/// that.
+///
+/// The worst kExplained findings are explained; each costs about 1 to 30 ms.
+/// @param path that the motion follows
+/// @param collision may be null
+std::vector<Diagnostic> explainFindings(std::vector<Diagnostic> findings,
+                                        const Motion& motion,
+                                        const toolpath::Toolpath& path,
+                                        const cell::Cell& cell,
+                                        const collision::CellCollision* collision,
+                                        const MotionParams& params,
+                                        const JobContext& context);
+
+inline constexpr int kExplained = 24;
+
+}  // namespace wcam::motion

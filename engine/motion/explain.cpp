@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/motion/explain.hpp"
+
+#include "wcam/base/text.hpp"
+
+#include "path_index.hpp"
+#include "trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace wcam::motion {
+
+namespace {
+
+using detail::Change;
+using detail::Trial;
+using detail::TrialPoint;
+using geometry::Vec3;
+
+constexpr std::size_t kSamples = 12;  ///< points of a bead that a cure is tried at
+const double kRotationStep = degToRad(5.0);
+const double kTiltStep = degToRad(1.0);
+const double kTurnStep = degToRad(15.0);
+constexpr double kMoveStep = 20.0;     // mm
+constexpr double kGreatestMove = 600;  // mm: more than that is another cell
+
+/// One thing to try, with the words for it.
+struct Cure {
+  Change change;
+  std::string text;
+  std::string key;  ///< of the figure in data
+  double figure = 0.0;
+};
+
+std::string deg(double rad) {
+  return formatFixed(radToDeg(rad), 0) + " deg";
+}
+
+std::string sign(double value) {
+  return value > 0 ? "+" : "-";
+}
+
+std::vector<Cure> rotations() {
+  std::vector<Cure> cures;
+  for (int k = 1; k * kRotationStep <= kPi + 1e-9; ++k) {
+    for (const double s : {1.0, -1.0}) {
+      Cure cure;
+      cure.change.rotation = s * k * kRotationStep;
+      cure.text = "rotate the torch about its axis by " + sign(s) + deg(k * kRotationStep);
+      cure.key = "cure_rotation_deg";
+      cure.figure = radToDeg(cure.change.rotation);
+      cures.push_back(cure);
+    }
+  }
+  return cures;
+}
+
+std::vector<Cure> branches(bool turned) {
+  std::vector<Cure> cures;
+  for (int k = 0; k < cell::Branch::kCount; ++k) {
+    const std::string name = cell::Branch::fromIndex(k).name();
+    for (int r = 0; r < (turned ? 12 : 1); ++r) {
+      Cure cure;
+      cure.change.branch = k;
+      cure.change.rotation = turned ? r * kPi / 6.0 - kPi : 0.0;
+      cure.text = "use the configuration " + name;
+      if (turned && cure.change.rotation != 0.0) {
+        cure.text += " and rotate the torch about its axis by " + sign(cure.change.rotation) +
+                     deg(std::abs(cure.change.rotation));
+      }
+      cure.key = "cure_branch";
+      cure.figure = k;
+      cures.push_back(cure);
+    }
+  }
+  return cures;
+}
+
+std::vector<Cure> tilts(const MotionParams& params) {
+  std::vector<Cure> cures;
+  for (int k = 1; k * kTiltStep <= params.exitLateral.value() + 1e-9; ++k) {
+    for (const double s : {1.0, -1.0}) {
+      Cure cure;
+      cure.change.lateral = s * k * kTiltStep;
+      cure.text = "tilt the torch by " + sign(s) + deg(k * kTiltStep) +
+                  " about the direction of travel (exit_rotations does it)";
+      cure.key = "cure_lateral_deg";
+      cure.figure = radToDeg(cure.change.lateral);
+      cures.push_back(cure);
+    }
+  }
+  for (int k = 1; k * kTiltStep <= params.exitLead.value() + 1e-9; ++k) {
+    for (const double s : {1.0, -1.0}) {
+      Cure cure;
+      cure.change.lead = s * k * kTiltStep;
+      cure.text = "tilt the torch by " + sign(s) + deg(k * kTiltStep) + " along the travel";
+      cure.key = "cure_lead_deg";
+      cure.figure = radToDeg(cure.change.lead);
+      cures.push_back(cure);
+    }
+  }
+  return cures;
+}
+
+std::vector<Cure> moves(bool inBase, const cell::Cell& cell) {
+  std::vector<Cure> cures;
+  const char* const axes[] = {"X", "Y", "Z"};
+  for (int k = 1; k * kMoveStep <= kGreatestMove; ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double s : {1.0, -1.0}) {
+        Cure cure;
+        const double step = s * k * kMoveStep;
+        (inBase ? cure.change.inBase : cure.change.onTable)(axis) = step;
+        const std::string what = !inBase              ? "move the part by "
+                                 : cell.partCarried() ? "move the torch by "
+                                                      : "move the positioner by ";
+        cure.text = what + formatFixed(std::abs(step), 0) + " mm in " + sign(s) + axes[axis] +
+                    (inBase ? " of the base" : " of the table");
+        cure.key = std::string(inBase ? "cure_base_" : "cure_table_") +
+                   static_cast<char>('x' + axis) + "_mm";
+        cure.figure = step;
+        cures.push_back(cure);
+      }
+    }
+  }
+  return cures;
+}
+
+std::vector<Cure> turns() {
+  std::vector<Cure> cures;
+  for (int k = 1; k * kTurnStep <= kPi + 1e-9; ++k) {
+    for (const double s : {1.0, -1.0}) {
+      Cure cure;
+      cure.change.turn = s * k * kTurnStep;
+      cure.text = "turn the part on the table by " + sign(s) + deg(k * kTurnStep);
+      cure.key = "cure_turn_deg";
+      cure.figure = radToDeg(cure.change.turn);
+      cures.push_back(cure);
+    }
+  }
+  return cures;
+}
+
+Cure otherPositioner() {
+  Cure cure;
+  cure.change.positioner = 1;
+  cure.text = "use the positioner's other solution";
+  cure.key = "cure_positioner";
+  cure.figure = 1.0;
+  return cure;
+}
+
+/// All that is tried, in the order of what it asks of the user.
+std::vector<std::vector<Cure>> allCures(const cell::Cell& cell, const MotionParams& params) {
+  std::vector<std::vector<Cure>> groups;
+  groups.push_back(rotations());
+  groups.push_back(branches(false));
+  if (!cell.partCarried() && cell.positionerJoints() == 2) {
+    groups.push_back({otherPositioner()});
+  }
+  groups.push_back(tilts(params));
+  groups.push_back(branches(true));
+  groups.push_back(turns());
+  groups.push_back(moves(false, cell));
+  groups.push_back(moves(true, cell));
+  return groups;
+}
+
+bool isExplained(const Diagnostic& finding) {
+  static const std::set<std::string> codes = {"motion.unreachable", "motion.joint_limit",
+                                              "motion.singularity", "motion.collision",
+                                              "motion.near_collision"};
+  return codes.contains(finding.code) && finding.place.layer >= 0 && finding.place.bead >= 0;
+}
+
+/// Points of a bead with the worst one first.
+class Explanation {
+public:
+  Explanation(const Motion& motion,
+              const toolpath::Toolpath& path,
+              const detail::PathIndex& index,
+              const Diagnostic& finding) {
+    std::vector<std::size_t> own;
+    std::size_t worst = std::string::npos;
+    for (std::size_t i = 0; i < motion.waypoints.size(); ++i) {
+      const Waypoint& w = motion.waypoints[i];
+      if (w.layer != finding.place.layer || w.bead != finding.place.bead) {
+        continue;
+      }
+      if (w.point == finding.place.point && worst == std::string::npos) {
+        worst = i;
+      }
+      own.push_back(i);
+    }
+    if (worst == std::string::npos) {
+      return;
+    }
+    const toolpath::Bead& bead = path.layers[static_cast<std::size_t>(finding.place.layer)]
+                                     .beads[static_cast<std::size_t>(finding.place.bead)];
+    const auto add = [&](std::size_t i) {
+      const Waypoint& w = motion.waypoints[i];
+      TrialPoint point;
+      point.point = w.point >= 0 ? &bead.points[static_cast<std::size_t>(w.point)] : nullptr;
+      point.T_part_tcp = w.T_part_tcp;
+      point.joints = w.joints;
+      point.deposited = index.number(w.layer, w.bead, std::max(w.point, 0));
+      if (w.point < 0 && i > own.front() + 1) {
+        point.deposited += bead.points.size();  // a travel move after the bead
+      }
+      points_.push_back(point);
+    };
+    add(worst);
+    for (std::size_t k = 0; k < kSamples && own.size() > 1; ++k) {
+      add(own[k * (own.size() - 1) / (kSamples - 1)]);
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return points_.empty(); }
+
+  [[nodiscard]] std::size_t count() const { return points_.size(); }
+
+  /// How many points a cure serves; 0 when it does not serve the worst one.
+  [[nodiscard]] std::size_t served(const Trial& trial,
+                                   const Change& change,
+                                   const MotionParams& params) const {
+    std::size_t count = 0;
+    for (const TrialPoint& point : points_) {
+      if (trial.at(point, change, true).right(params)) {
+        ++count;
+      } else if (count == 0) {
+        return 0;
+      }
+    }
+    return count;
+  }
+
+private:
+  std::vector<TrialPoint> points_;
+};
+
+void explain(Diagnostic& finding,
+             const Explanation& explanation,
+             const Trial& trial,
+             const std::vector<std::vector<Cure>>& groups,
+             const MotionParams& params,
+             const JobContext& context) {
+  const Cure* best = nullptr;
+  std::size_t served = 0;
+  for (const std::vector<Cure>& group : groups) {
+    context.check();
+    for (const Cure& cure : group) {
+      const std::size_t count = explanation.served(trial, cure.change, params);
+      if (count > served) {
+        served = count;
+        best = &cure;
+      }
+      if (served == explanation.count()) {
+        break;
+      }
+    }
+    if (served == explanation.count()) {
+      break;
+    }
+  }
+  if (best == nullptr) {
+    finding.remedy =
+        "none of these alone puts it right: rotations about the torch, the other configurations, "
+        "tilts within the tolerances, turning the part, moving part or positioner by up to " +
+        formatFixed(kGreatestMove, 0) + " mm; search a placement with `camcli place`";
+    return;
+  }
+  const bool moved = best->key.starts_with("cure_table") || best->key.starts_with("cure_base") ||
+                     best->key == "cure_turn_deg";
+  finding.remedy = best->text;
+  if (served < explanation.count()) {
+    finding.remedy += ": that serves " + std::to_string(served) + " of " +
+                      std::to_string(explanation.count()) + " points tried of this bead";
+  } else {
+    finding.remedy += ": that serves all points tried of this bead";
+  }
+  if (moved) {
+    finding.remedy += " (reach, limits and singularities; collisions not looked at)";
+  }
+  finding.data.emplace_back(best->key, best->figure);
+  if (best->key == "cure_branch" && best->change.rotation != 0.0) {
+    finding.data.emplace_back("cure_rotation_deg", radToDeg(best->change.rotation));
+  }
+}
+
+}  // namespace
+
+std::vector<Diagnostic> explainFindings(std::vector<Diagnostic> findings,
+                                        const Motion& motion,
+                                        const toolpath::Toolpath& path,
+                                        const cell::Cell& cell,
+                                        const collision::CellCollision* collision,
+                                        const MotionParams& params,
+                                        const JobContext& context) {
+  if (!cell.arm || std::none_of(findings.begin(), findings.end(), isExplained)) {
+    return findings;
+  }
+  const detail::PathIndex index(path);
+  const Trial trial(cell, collision, params);
+  const std::vector<std::vector<Cure>> groups = allCures(cell, params);
+  // Violations first: they stop the program.
+  int explained = 0;
+  for (const Severity severity : {Severity::Violation, Severity::Warning}) {
+    for (Diagnostic& finding : findings) {
+      if (finding.severity != severity || !isExplained(finding) || explained >= kExplained) {
+        continue;
+      }
+      const Explanation explanation(motion, path, index, finding);
+      if (!explanation.empty()) {
+        explain(finding, explanation, trial, groups, params, context);
+        ++explained;
+      }
+    }
+  }
+  return findings;
+}
+
+}  // namespace wcam::motion

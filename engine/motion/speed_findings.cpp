@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/base/text.hpp"
+#include "wcam/cell/joint_text.hpp"
+#include "wcam/motion/speed_law.hpp"
+#include "wcam/motion/trace.hpp"
+
+#include "plan_detail.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wcam::motion::detail {
+
+namespace {
+
+constexpr std::size_t kCheckEvery = 4096;
+/// A joint that uses this part of its greatest speed is what holds the torch back.
+constexpr double kAtSpeed = 0.999;
+
+/// What holds the torch back at a waypoint.
+struct Limiter {
+  int joint = -1;
+  double share = 0.0;  ///< of the limit that is used
+  bool bySpeed = false;
+};
+
+Limiter limiterAt(const Motion& motion, const std::vector<JointBounds>& bounds, std::size_t i) {
+  const std::vector<Waypoint>& points = motion.waypoints;
+  Limiter limiter;
+  const std::size_t last = std::min(i + 1, points.size() - 1);
+  const double before = points[i].time - points[i - 1].time;
+  const double after = points[last].time - points[i].time;
+  for (std::size_t j = 0; j < bounds.size(); ++j) {
+    const auto k = static_cast<Eigen::Index>(j);
+    const double v0 = before > 0.0 ? (points[i].joints(k) - points[i - 1].joints(k)) / before : 0.0;
+    const double v1 = after > 0.0 ? (points[last].joints(k) - points[i].joints(k)) / after : v0;
+    const double speedShare = std::max(std::abs(v0), std::abs(v1)) / bounds[j].speed;
+    const double gain = before + after > 0.0 ? 2.0 * std::abs(v1 - v0) / (before + after) : 0.0;
+    const double gainShare =
+        std::isfinite(bounds[j].acceleration) ? gain / bounds[j].acceleration : 0.0;
+    if (std::max(speedShare, gainShare) > limiter.share) {
+      limiter = {static_cast<int>(j), std::max(speedShare, gainShare), speedShare >= gainShare};
+    }
+  }
+  return limiter;
+}
+
+/// Ratios of predicted to wanted speed along the points of a bead on which the arc burns.
+struct BeadSpeeds {
+  std::vector<double> ratio;
+  std::vector<std::size_t> waypoint;
+};
+
+class Reporter {
+public:
+  Reporter(const Cell& cell,
+           const Motion& motion,
+           const MotionParams& params,
+           std::string operation,
+           const JobContext& context)
+      : cell_(cell),
+        motion_(motion),
+        params_(params),
+        bounds_(jointBounds(cell, params)),
+        operation_(std::move(operation)),
+        context_(context) {}
+
+  void bead(const BeadSpeeds& speeds) const {
+    std::size_t dips = 0;
+    std::size_t peaks = 0;
+    const SpeedEvent* dip = nullptr;
+    const SpeedEvent* peak = nullptr;
+    const std::vector<SpeedEvent> events = speedEvents(speeds.ratio, params_.speedTolerance);
+    for (const SpeedEvent& event : events) {
+      // The torch starts and ends every bead at rest; joints at full speed are told elsewhere.
+      const bool ramp = (event.atStart || event.atEnd) && !(event.atStart && event.atEnd);
+      const Limiter limiter = limiterAt(motion_, bounds_, speeds.waypoint[event.index]);
+      if (event.peak) {
+        ++peaks;
+        peak = peak == nullptr || event.ratio > peak->ratio ? &event : peak;
+      } else if (!ramp && !(limiter.bySpeed && limiter.share >= kAtSpeed)) {
+        ++dips;
+        dip = dip == nullptr || event.ratio < dip->ratio ? &event : dip;
+      }
+    }
+    if (dip != nullptr) {
+      report(*dip, speeds.waypoint[dip->index], dips);
+    }
+    if (peak != nullptr) {
+      report(*peak, speeds.waypoint[peak->index], peaks);
+    }
+  }
+
+  void reversals(const std::vector<Reversal>& all) const {
+    for (const Reversal& reversal : all) {
+      const Waypoint& point = motion_.waypoints[reversal.waypoint];
+      const double effect = reversal.effect.norm();
+      if (!point.arc || !(effect > params_.reversalEffect.value())) {
+        continue;
+      }
+      context_.add({Severity::Information,
+                    "motion.reversal",
+                    "joint " + cell_.joint(reversal.joint).name +
+                        " turns round; its backlash moves the torch by " + formatFixed(effect, 3) +
+                        " mm",
+                    "place the part so that the joint keeps its direction, or expect a mark",
+                    {operation_, point.layer, point.bead, point.point},
+                    {{"joint", reversal.joint + 1.0},
+                     {"direction", static_cast<double>(reversal.direction)},
+                     {"time_s", reversal.time},
+                     {"effect_mm", effect}}});
+    }
+  }
+
+private:
+  void report(const SpeedEvent& event, std::size_t waypoint, std::size_t count) const {
+    const Waypoint& point = motion_.waypoints[waypoint];
+    const Limiter limiter = limiterAt(motion_, bounds_, waypoint);
+    const std::string name =
+        limiter.joint < 0 ? std::string("no joint") : "joint " + cell_.joint(limiter.joint).name;
+    const std::string percent = formatFixed(event.ratio * 100.0, 1) + " % of the wanted speed";
+    const std::string more =
+        count > 1 ? ", the worst of " + std::to_string(count) + " places" : std::string();
+    std::vector<std::pair<std::string, double>> data = {
+        {"speed_mm_s", point.tcpSpeed}, {"speed_ratio", event.ratio},
+        {"joint", limiter.joint + 1.0}, {"limit_share", limiter.share},
+        {"time_s", point.time},         {"places", static_cast<double>(count)}};
+    const Place place{operation_, point.layer, point.bead, point.point};
+    if (event.peak) {
+      context_.add({Severity::Warning, "motion.speed_peak",
+                    "the torch is predicted to run at " + formatFixed(point.tcpSpeed, 2) +
+                        " mm/s, " + percent + more,
+                    "let the length of the path lead the motion, not an axis", place, data});
+    } else {
+      context_.add({Severity::Warning, "motion.speed_dip",
+                    "the torch is predicted to slow down to " + formatFixed(point.tcpSpeed, 2) +
+                        " mm/s, " + percent + "; nearest to its limit is " + name + more,
+                    "smooth the path, allow more rounding of corners, lower the travel speed, or "
+                    "let the wire feed follow (wire_follows_speed)",
+                    place, data});
+    }
+  }
+
+  const Cell& cell_;
+  const Motion& motion_;
+  const MotionParams& params_;
+  std::vector<JointBounds> bounds_;
+  std::string operation_;
+  const JobContext& context_;
+};
+
+}  // namespace
+
+void reportSpeeds(const Cell& cell,
+                  const Motion& motion,
+                  const MotionParams& params,
+                  const std::string& operationId,
+                  const std::vector<Reversal>& reversals,
+                  const JobContext& context) {
+  const Reporter reporter(cell, motion, params, operationId, context);
+  BeadSpeeds speeds;
+  const std::vector<Waypoint>& points = motion.waypoints;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (i % kCheckEvery == 0) {
+      context.check();
+    }
+    const Waypoint& point = points[i];
+    if (point.arc && point.speed > 0.0 && point.kind == MoveKind::Linear && point.reachable &&
+        points[i - 1].reachable) {
+      speeds.ratio.push_back(point.tcpSpeed / point.speed);
+      speeds.waypoint.push_back(i);
+    }
+    const bool ends = i + 1 == points.size() || !points[i + 1].arc ||
+                      points[i + 1].bead != point.bead || points[i + 1].layer != point.layer;
+    if (ends && !speeds.ratio.empty()) {
+      reporter.bead(speeds);
+      speeds = {};
+    }
+  }
+  reporter.reversals(reversals);
+}
+
+}  // namespace wcam::motion::detail

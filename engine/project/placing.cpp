@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/project/placing.hpp"
+
+#include "wcam/base/error.hpp"
+#include "wcam/base/quantity.hpp"
+#include "wcam/base/text.hpp"
+
+#include <set>
+
+namespace wcam::project {
+
+namespace {
+
+/// A place as named figures, in file units: the columns of both forms.
+std::vector<std::pair<const char*, double>> figuresOf(const motion::PartPlace& place) {
+  return {{"dx_mm", place.move.x()},
+          {"dy_mm", place.move.y()},
+          {"dz_mm", place.move.z()},
+          {"turn_deg", radToDeg(place.turn)},
+          {"failing_points", static_cast<double>(place.failing)},
+          {"score", place.score},
+          {"reach_missing_mm", place.reachMissing},
+          {"limit_margin_deg", radToDeg(place.limitMargin)},
+          {"wrist_bend_deg", radToDeg(place.wristBend)},
+          {"elbow_bend_deg", radToDeg(place.elbowBend)},
+          {"axis_distance_mm", place.axisDistance},
+          {"dexterity", place.dexterity},
+          {"clearance_mm", place.clearance},
+          {"torch_rotation_deg", radToDeg(place.torchRotation)}};
+}
+
+Value vectorOf(const std::array<double, 3>& numbers) {
+  return Value(Value::Array{numbers[0], numbers[1], numbers[2]});
+}
+
+Command moveCommand(const char* command,
+                    const std::string& id,
+                    const Placement& placement,
+                    const geometry::Pose& move) {
+  const Placement moved = toPlacement(move * toPose(placement));
+  const Value value = Value::object(
+      {{"position_mm", vectorOf(moved.positionMm)}, {"rotation_deg", vectorOf(moved.rotationDeg)}});
+  return {command, Value::object({{"id", id}, {"placement", value}})};
+}
+
+}  // namespace
+
+std::vector<Command> placementCommands(const Document& document,
+                                       const std::string& operation,
+                                       const geometry::Pose& move) {
+  const Project& project = document.project();
+  const Operation* wanted = project.operation(operation);
+  if (wanted == nullptr) {
+    throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + operation + "'");
+  }
+  const Guide* guide = wanted->guide.empty() ? nullptr : project.guide(wanted->guide);
+  if (!wanted->file.empty() || (guide != nullptr && guide->type != Guide::Type::Edge)) {
+    throw Error(
+        ErrorCode::ProjectInvalid,
+        wanted->file.empty() ? "the guide '" + wanted->guide + "' does not move with the part"
+                             : std::string("its path comes from a file"),
+        "operation '" + operation + "'", "move the part in the cell file instead: T_table_part");
+  }
+  std::set<std::string> parts(wanted->parts.begin(), wanted->parts.end());
+  const Substrate* substrate = project.substrate(wanted->substrate);
+  if (substrate != nullptr && substrate->type == Substrate::Type::Part) {
+    parts.insert(substrate->part);
+  }
+  std::vector<Command> commands;
+  for (const std::string& id : parts) {
+    commands.push_back(moveCommand("part.set", id, project.part(id)->placement, move));
+  }
+  if (substrate != nullptr) {
+    commands.push_back(moveCommand("substrate.set", substrate->id, substrate->placement, move));
+  }
+  return commands;
+}
+
+Value toValue(const motion::PlacementMap& map) {
+  Value places = Value::array();
+  for (const motion::PartPlace& place : map.places) {
+    Value value = Value::object();
+    for (const auto& [name, figure] : figuresOf(place)) {
+      value.set(name, figure);
+    }
+    places.push(value.set("branch", place.branch));
+  }
+  return Value::object({{"best", map.best}, {"places", places}});
+}
+
+std::string toCsv(const motion::PlacementMap& map) {
+  std::string text;
+  for (const auto& [name, figure] : figuresOf(motion::PartPlace())) {
+    text += std::string(name) + ",";
+  }
+  text += "branch\n";
+  for (const motion::PartPlace& place : map.places) {
+    for (const auto& [name, figure] : figuresOf(place)) {
+      text += formatFixed(figure, 6) + ",";
+    }
+    text += place.branch + "\n";
+  }
+  return text;
+}
+
+}  // namespace wcam::project
