@@ -73,12 +73,12 @@ TEST(ViewState, PlaybackRunsOnTheClockAndStopsAtTheEnd) {
   EXPECT_EQ(state.move(), 3U);
   state.setSpeed(5.0);
   state.advance(2.0);
-  EXPECT_EQ(state.move(), 13U);
-  // Many small ticks make the same way as one.
-  for (int i = 0; i < 40; ++i) {
+  EXPECT_EQ(state.move(), 14U) << "the way to the second layer takes no time";
+  // Many small ticks make the same way as one: 1.9 s.
+  for (int i = 0; i < 38; ++i) {
     state.advance(0.01);
   }
-  EXPECT_EQ(state.move(), 15U);
+  EXPECT_EQ(state.move(), 16U);
   state.advance(100.0);
   EXPECT_EQ(state.move(), 19U);
   EXPECT_FALSE(state.playing());
