@@ -21,3 +21,19 @@ find_package(Boost 1.74 REQUIRED)
 # OpenCASCADE's targets carry no include directory.
 add_library(wcam_occt INTERFACE)
 target_include_directories(wcam_occt SYSTEM INTERFACE "${OpenCASCADE_INCLUDE_DIR}")
+
+# The front-end. Components are always named: Debian's VTK has modules that would bring in Qt 5.
+if(WCAM_BUILD_GUI)
+  set(wcam_gui_required "")
+  if(NOT WCAM_BUILD_GUI STREQUAL "AUTO")
+    set(wcam_gui_required REQUIRED)
+  endif()
+  find_package(Qt6 6.4 ${wcam_gui_required} COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets LinguistTools)
+  find_package(VTK 9.1 ${wcam_gui_required} COMPONENTS
+    CommonCore CommonDataModel CommonMath FiltersCore FiltersSources IOImage RenderingAnnotation RenderingCore
+    RenderingFreeType RenderingOpenGL2)
+  if(NOT Qt6_FOUND OR NOT VTK_FOUND)
+    message(STATUS "the front-end is left out: Qt 6 or VTK is missing (packaging/quickstart gui installs them)")
+    set(WCAM_BUILD_GUI OFF)
+  endif()
+endif()

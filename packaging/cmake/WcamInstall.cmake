@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The WCAM developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake --install: components engine, cli, plugins, data and sdk. The installed tree finds its parts
+# cmake --install: components engine, cli, gui, plugins, data and sdk. The installed tree finds its parts
 # relative to the engine library, so it may be moved to any folder.
 include(CMakePackageConfigHelpers)
 
@@ -10,11 +10,23 @@ set(WCAM_DATA_DIR "${CMAKE_INSTALL_DATADIR}/wcam")
 install(TARGETS wcam_engine EXPORT wcamTargets
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT engine NAMELINK_COMPONENT sdk
   INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+file(RELATIVE_PATH library_from_program "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}")
 if(TARGET camcli)
-  file(RELATIVE_PATH library_from_program "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}")
   set_target_properties(camcli PROPERTIES INSTALL_RPATH "$ORIGIN/${library_from_program}")
   install(TARGETS camcli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT cli)
   install(FILES "${PROJECT_SOURCE_DIR}/packaging/camcli.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT cli)
+endif()
+
+if(TARGET wcam)
+  set_target_properties(wcam PROPERTIES INSTALL_RPATH "$ORIGIN/${library_from_program}")
+  install(TARGETS wcam RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT gui)
+  install(FILES "${PROJECT_SOURCE_DIR}/packaging/wcam.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT gui)
+  set(desktop "${PROJECT_SOURCE_DIR}/packaging/desktop")
+  install(FILES "${desktop}/org.wcam.wcam.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications" COMPONENT gui)
+  install(FILES "${desktop}/org.wcam.wcam.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" COMPONENT gui)
+  install(FILES "${desktop}/org.wcam.wcam.metainfo.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo" COMPONENT gui)
+  install(FILES "${PROJECT_SOURCE_DIR}/resources/icons/org.wcam.wcam.svg"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps" COMPONENT gui)
 endif()
 
 foreach(folder cells processes projects doc schema)

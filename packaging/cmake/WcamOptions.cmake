@@ -4,6 +4,7 @@
 
 option(WCAM_BUILD_TESTS "Build the tests" ON)
 option(WCAM_BUILD_BENCH "Build the benchmarks (need extra packages, see packaging/quickstart)" OFF)
+set(WCAM_BUILD_GUI AUTO CACHE STRING "Build the front-end: ON, OFF, or AUTO where Qt 6 and VTK are found")
 option(WCAM_BUILD_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
 set(WCAM_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined or thread")
 

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generation.hpp"
+
+#include "wcam/project/commands.hpp"
+#include "wcam/project/project_file.hpp"
+
+#include "shapes.hpp"
+
+#include <algorithm>
+
+namespace wcam::gui {
+
+namespace {
+
+/// Runs a step; keeps its error unless it is a cancel.
+template <class Step>
+std::optional<Error> errorOf(const Step& step) {
+  try {
+    step();
+    return std::nullopt;
+  } catch (const CancelledError&) {
+    throw;
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return Error(ErrorCode::JobFailed, "there is not enough memory", {},
+                 "use a coarser part or step");
+  } catch (const std::exception& error) {
+    return Error(ErrorCode::Internal, error.what(), "unexpected",
+                 "please report this with the project file");
+  }
+}
+
+/// Stages keep their results, so equal results are the same objects.
+bool sameResult(const project::OperationResult& a, const project::OperationResult& b) {
+  return a.path == b.path && a.motion == b.motion && a.program == b.program && a.cell == b.cell &&
+         a.substrate == b.substrate && a.findings.size() == b.findings.size();
+}
+
+}  // namespace
+
+const GeneratedPart* Generated::part(const std::string& id) const {
+  const auto found =
+      std::find_if(parts.begin(), parts.end(), [&](const GeneratedPart& p) { return p.id == id; });
+  return found != parts.end() ? &*found : nullptr;
+}
+
+const GeneratedOperation* Generated::operation(const std::string& id) const {
+  const auto found = std::find_if(operations.begin(), operations.end(),
+                                  [&](const GeneratedOperation& o) { return o.id == id; });
+  return found != operations.end() ? &*found : nullptr;
+}
+
+Generated generate(const project::Pipeline& pipeline,
+                   const std::string& first,
+                   const Generated& before,
+                   const JobContext& context,
+                   const std::function<void(const Generated&)>& step) {
+  Generated result;
+  const project::Project& project = pipeline.document().project();
+  result.findings = pipeline.document().findings();
+  result.error = errorOf([&] {
+    const std::vector<Diagnostic> found = pipeline.validate();
+    result.findings.insert(result.findings.end(), found.begin(), found.end());
+  });
+  for (const project::Part& part : project.parts) {
+    GeneratedPart shown;
+    shown.id = part.id;
+    shown.error = errorOf([&] {
+      shown.part = pipeline.importPart(part.id, context.portion(0.0, 0.2, "import"));
+      const GeneratedPart* old = before.part(part.id);
+      shown.mesh = old != nullptr && old->part == shown.part
+                       ? old->mesh
+                       : viewport::prepare(meshOf(*shown.part->surface));
+    });
+    result.parts.push_back(std::move(shown));
+    step(result);
+  }
+  std::vector<const project::Operation*> wanted;
+  for (const project::Operation& operation : project.operations) {
+    if (operation.enabled) {
+      wanted.push_back(&operation);
+    }
+  }
+  std::stable_partition(wanted.begin(), wanted.end(),
+                        [&](const project::Operation* o) { return o->id == first; });
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    GeneratedOperation shown;
+    shown.id = wanted[i]->id;
+    const double begin = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(wanted.size());
+    const double end = 0.2 + 0.8 * static_cast<double>(i + 1) / static_cast<double>(wanted.size());
+    shown.error = errorOf([&] {
+      auto computed = std::make_shared<const project::OperationResult>(
+          pipeline.compute(shown.id, context.portion(begin, end, shown.id)));
+      context.check();
+      result.cell = computed->cell;
+      const GeneratedOperation* old = before.operation(shown.id);
+      if (old != nullptr && old->path && sameResult(old->path->result(), *computed)) {
+        shown.path = old->path;
+        shown.substrate = old->substrate;
+        return;
+      }
+      shown.substrate = viewport::prepare(meshOf(*computed->substrate));
+      shown.path = std::make_shared<const PathModel>(std::move(computed));
+    });
+    result.operations.push_back(std::move(shown));
+    step(result);
+  }
+  return result;
+}
+
+std::optional<ParamSchema> schemaOf(const plugin::PluginHost& plugins,
+                                    const project::ParamSection& section) {
+  if (section.list == "operations" && section.section == "path") {
+    return toolpath::PathParams::schema().params();
+  }
+  if (section.list == "operations" && section.section == "motion") {
+    return motion::MotionParams::schema().params();
+  }
+  if (section.list == "processes") {
+    return process::ProcessParams::schema().params();
+  }
+  if (section.list == "parts") {
+    return io::importOptionsSchema().params();
+  }
+  try {
+    return plugins.info(section.component).params;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace wcam::gui

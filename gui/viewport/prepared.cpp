@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "prepared_vtk.hpp"
+#include "vtk_arrays.hpp"
+
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+
+#include <utility>
+
+namespace wcam::viewport {
+
+namespace {
+
+// Above this many moves beads are lines: solids would need gigabytes and seconds (PERFORMANCE i).
+constexpr std::size_t kMaxSolidMoves = 200000;
+
+PreparedChunk chunkOf(const ChunkRange& range, BeadSolid built) {
+  PreparedChunk chunk;
+  chunk.range = range;
+  chunk.data = vtkSmartPointer<vtkPolyData>::New();
+  chunk.data->SetPoints(pointsOf(built.positions));
+  chunk.data->GetPointData()->SetNormals(vectorsOf(built.normals));
+  chunk.all = cellsOf(built.offsets, built.corners);
+  chunk.data->SetPolys(chunk.all);
+  chunk.cellsUpTo = std::move(built.polygonsUpTo);
+  chunk.moveOfVertex = std::move(built.moveOfVertex);
+  return chunk;
+}
+
+PreparedChunk chunkOf(const ChunkRange& range, BeadLines built) {
+  PreparedChunk chunk;
+  chunk.range = range;
+  chunk.isLines = true;
+  chunk.data = vtkSmartPointer<vtkPolyData>::New();
+  chunk.data->SetPoints(pointsOf(built.positions));
+  chunk.all = cellsOf(built.offsets, built.corners);
+  chunk.data->SetLines(chunk.all);
+  chunk.cellsUpTo = std::move(built.linesUpTo);
+  chunk.moveOfVertex = std::move(built.moveOfVertex);
+  return chunk;
+}
+
+}  // namespace
+
+std::vector<PreparedChunk> prepareChunks(const PathData& path, ChunkKind kind) {
+  std::vector<PreparedChunk> chunks;
+  for (const ChunkRange& range : chunksOf(path)) {
+    chunks.push_back(kind == ChunkKind::Solid
+                         ? chunkOf(range, beadSolid(path, range))
+                         : chunkOf(range, beadLines(path, range, kind == ChunkKind::Travel)));
+  }
+  return chunks;
+}
+
+bool PreparedPath::onlyLines() const {
+  return data->size() > kMaxSolidMoves;
+}
+
+std::shared_ptr<const PreparedMesh> prepare(MeshData mesh) {
+  auto prepared = std::make_shared<PreparedMesh>();
+  prepared->surface = surfaceOf(mesh);
+  if (mesh.edgeBegin.size() > 1) {
+    prepared->edges = edgesOf(mesh);
+  }
+  prepared->locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+  prepared->locator->SetDataSet(prepared->surface);
+  prepared->locator->BuildLocator();
+  prepared->mesh = std::move(mesh);
+  return prepared;
+}
+
+std::shared_ptr<PreparedPath> prepare(std::shared_ptr<const PathData> path) {
+  auto prepared = std::make_shared<PreparedPath>();
+  prepared->data = std::move(path);
+  if (prepared->onlyLines()) {
+    prepared->lines = prepareChunks(*prepared->data, ChunkKind::Lines);
+  } else {
+    prepared->solids = prepareChunks(*prepared->data, ChunkKind::Solid);
+  }
+  return prepared;
+}
+
+}  // namespace wcam::viewport

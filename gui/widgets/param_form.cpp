@@ -1,0 +1,500 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "param_form.hpp"
+
+#include "wcam/base/json.hpp"
+
+#include "icons.hpp"
+#include "text.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wcam::gui {
+
+namespace {
+
+/// A choice that the wheel does not change while the form is scrolled.
+class CalmComboBox : public QComboBox {
+public:
+  using QComboBox::QComboBox;
+
+protected:
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+QString numberText(double value) {
+  return qt(formatReal(value)).remove(QRegularExpression("\\.0$"));
+}
+
+QString valueText(const Value& value) {
+  if (value.isString()) {
+    return qt(value.asString());
+  }
+  if (value.isBool()) {
+    return value.asBool() ? ParamForm::tr("yes") : ParamForm::tr("no");
+  }
+  if (value.isInteger()) {
+    return QString::number(value.asInteger());
+  }
+  if (value.isNumber()) {
+    return numberText(value.asReal());
+  }
+  if (value.isArray()) {
+    QStringList items;
+    for (const Value& item : value.asArray()) {
+      items.append(valueText(item));
+    }
+    return items.join(", ");
+  }
+  return {};
+}
+
+QString limitsText(const ParamDef& def) {
+  const bool low = std::isfinite(def.info.min);
+  const bool high = std::isfinite(def.info.max);
+  // An integer's own range says nothing.
+  constexpr double kAny = 2e9;
+  if (low && high && std::abs(def.info.max) < kAny) {
+    return ParamForm::tr("%1 to %2").arg(numberText(def.info.min), numberText(def.info.max));
+  }
+  if (low && std::abs(def.info.min) < kAny) {
+    return ParamForm::tr("at least %1").arg(numberText(def.info.min));
+  }
+  if (high && std::abs(def.info.max) < kAny) {
+    return ParamForm::tr("at most %1").arg(numberText(def.info.max));
+  }
+  return {};
+}
+
+QString tipOf(const ParamDef& def) {
+  QString tip = "<b>" + engineText(def.info.label).toHtmlEscaped() + "</b>";
+  if (!def.info.help.empty()) {
+    tip += "<br/>" + engineText(def.info.help).toHtmlEscaped();
+  }
+  const QString unit = qt(fileUnit(def.quantity));
+  const QString limits = limitsText(def);
+  if (!limits.isEmpty()) {
+    tip += "<br/>" + limits.toHtmlEscaped() + (unit.isEmpty() ? QString() : " " + unit);
+  }
+  tip += "<br/>" + ParamForm::tr("Default: %1").arg(valueText(def.defaultValue).toHtmlEscaped()) +
+         (unit.isEmpty() ? QString() : " " + unit);
+  tip += "<br/><code>" + qt(def.info.key).toHtmlEscaped() + "</code>";
+  return tip;
+}
+
+}  // namespace
+
+ParamForm::ParamForm(QWidget* parent) : QWidget(parent) {
+  setObjectName("paramForm");
+  title_ = new QLabel(this);
+  title_->setObjectName("formTitle");
+  title_->setWordWrap(true);
+  search_ = new QLineEdit(this);
+  search_->setObjectName("formSearch");
+  search_->setPlaceholderText(tr("Search parameters"));
+  search_->setClearButtonEnabled(true);
+  level_ = new QComboBox(this);
+  level_->setObjectName("formLevel");
+  level_->setAccessibleName(tr("Level of the parameters shown"));
+  level_->setToolTip(level_->accessibleName());
+  level_->addItem(tr("Basic"));
+  level_->addItem(tr("Advanced"));
+  level_->addItem(tr("Expert"));
+  level_->setCurrentIndex(QSettings().value("form/level", 0).toInt());
+  scroll_ = new QScrollArea(this);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+
+  auto* top = new QHBoxLayout;
+  top->addWidget(search_, 1);
+  top->addWidget(level_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 6, 4, 4);
+  layout->addWidget(title_);
+  layout->addLayout(top);
+  layout->addWidget(scroll_, 1);
+  connect(search_, &QLineEdit::textChanged, this, &ParamForm::filter);
+  connect(level_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    QSettings().setValue("form/level", index);
+    filter();
+  });
+  clear();
+}
+
+void ParamForm::clear() {
+  setSections({}, tr("Nothing is selected"), {});
+}
+
+void ParamForm::setSections(const std::string& identity,
+                            const QString& title,
+                            std::vector<FormSection> sections) {
+  title_->setText("<b>" + title.toHtmlEscaped() + "</b>");
+  const auto sameKeys = [](const FormSection& a, const FormSection& b) {
+    const auto& x = a.schema.defs();
+    const auto& y = b.schema.defs();
+    return a.id == b.id && a.readOnly == b.readOnly && x.size() == y.size() &&
+           std::equal(x.begin(), x.end(), y.begin(), [](const ParamDef& p, const ParamDef& q) {
+             return p.info.key == q.info.key && p.type == q.type && p.info.label == q.info.label &&
+                    std::equal(p.info.choices.begin(), p.info.choices.end(), q.info.choices.begin(),
+                               q.info.choices.end(),
+                               [](const ParamChoice& c, const ParamChoice& d) {
+                                 return c.key == d.key && c.label == d.label;
+                               });
+           });
+  };
+  const bool same = identity == identity_ && sections.size() == sections_.size() &&
+                    std::equal(sections.begin(), sections.end(), sections_.begin(), sameKeys);
+  identity_ = identity;
+  sections_ = std::move(sections);
+  if (!same || body_ == nullptr) {
+    rebuild();
+  }
+  showValues();
+  filter();
+}
+
+void ParamForm::rebuild() {
+  rows_.clear();
+  groups_.clear();
+  // The field that was edited may be one of the old ones, and is still in its signal.
+  if (QWidget* old = scroll_->takeWidget()) {
+    old->hide();
+    old->deleteLater();
+  }
+  body_ = new QWidget;
+  auto* layout = new QVBoxLayout(body_);
+  layout->setContentsMargins(0, 2, 6, 8);
+  layout->setSpacing(4);
+  for (const FormSection& section : sections_) {
+    // Groups in the order of their first parameter.
+    std::vector<std::string> names;
+    for (const ParamDef& def : section.schema.defs()) {
+      if (std::find(names.begin(), names.end(), def.info.group) == names.end()) {
+        names.push_back(def.info.group);
+      }
+    }
+    for (const std::string& name : names) {
+      auto* group = new QWidget(body_);
+      auto* inside = new QVBoxLayout(group);
+      inside->setContentsMargins(0, 0, 0, 0);
+      inside->setSpacing(3);
+      auto* head = new QToolButton(group);
+      const QString title =
+          name == "General" ? section.title : section.title + " · " + engineText(name);
+      head->setText(title);
+      head->setObjectName("formGroup");
+      head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+      head->setCheckable(true);
+      head->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+      const std::string key = section.id + "/" + name;
+      head->setChecked(!collapsed_[key]);
+      head->setArrowType(head->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+      connect(head, &QToolButton::toggled, this, [this, head, key](bool open) {
+        head->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+        collapsed_[key] = !open;
+        filter();
+      });
+      inside->addWidget(head);
+      layout->addWidget(group);
+      groups_.push_back({group, {}});
+      for (const ParamDef& def : section.schema.defs()) {
+        if (def.info.group == name) {
+          groups_.back().second.push_back(rows_.size());
+          addRow(section, def, head, inside);
+        }
+      }
+    }
+  }
+  layout->addStretch(1);
+  scroll_->setWidget(body_);
+}
+
+void ParamForm::addRow(const FormSection& section,
+                       const ParamDef& def,
+                       QWidget* group,
+                       QVBoxLayout* layout) {
+  Row row;
+  row.section = section.id;
+  row.def = def;
+  row.readOnly = section.readOnly;
+  row.group = group;
+  row.box = new QWidget(body_);
+  auto* lines = new QVBoxLayout(row.box);
+  lines->setContentsMargins(10, 0, 0, 0);
+  lines->setSpacing(1);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(4);
+  row.label = new QLabel(engineText(def.info.label), row.box);
+  row.label->setToolTip(tipOf(def));
+  row.label->setWordWrap(true);
+  row.field = makeField(row);
+  row.field->setObjectName(QString("%1.%2").arg(qt(section.id), qt(def.info.key)));
+  row.field->setToolTip(tipOf(def));
+  row.field->setAccessibleName(engineText(def.info.label));
+  row.field->setEnabled(!section.readOnly);
+  row.label->setBuddy(row.field);
+  line->addWidget(row.label, 5);
+  line->addWidget(row.field, 4);
+  auto* unit = new QLabel(qt(fileUnit(def.quantity)), row.box);
+  unit->setObjectName("formUnit");
+  unit->setFixedWidth(unit->fontMetrics().horizontalAdvance("m/min") + 4);
+  line->addWidget(unit);
+  row.reset = new QToolButton(row.box);
+  row.reset->setIcon(icon("reset"));
+  row.reset->setAutoRaise(true);
+  row.reset->setToolTip(tr("Back to the default"));
+  row.reset->setAccessibleName(tr("Reset %1").arg(engineText(def.info.label)));
+  row.reset->setFixedSize(22, 22);
+  QSizePolicy keep = row.reset->sizePolicy();
+  keep.setRetainSizeWhenHidden(true);
+  row.reset->setSizePolicy(keep);
+  line->addWidget(row.reset);
+  lines->addLayout(line);
+  row.error = new QLabel(row.box);
+  row.error->setObjectName("formError");
+  row.error->setWordWrap(true);
+  row.error->hide();
+  lines->addWidget(row.error);
+  layout->addWidget(row.box);
+  connect(row.reset, &QToolButton::clicked, this, [this, id = section.id, key = def.info.key] {
+    if (Row* r = find(id, key)) {
+      r->error->hide();
+    }
+    emit edited(id, key, Value());
+  });
+  rows_.push_back(std::move(row));
+}
+
+QWidget* ParamForm::makeField(Row& row) {
+  const std::string section = row.section;
+  const std::string key = row.def.info.key;
+  switch (row.def.type) {
+    case ParamType::Bool: {
+      auto* box = new QCheckBox(row.box);
+      connect(box, &QCheckBox::clicked, this,
+              [this, section, key](bool on) { emit edited(section, key, Value(on)); });
+      return box;
+    }
+    case ParamType::Choice: {
+      auto* box = new CalmComboBox(row.box);
+      box->setMinimumContentsLength(6);
+      box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+      for (const ParamChoice& choice : row.def.info.choices) {
+        box->addItem(engineText(choice.label.empty() ? choice.key : choice.label), qt(choice.key));
+      }
+      connect(box, &QComboBox::activated, this, [this, section, key, box] {
+        emit edited(section, key, Value(utf8(box->currentData().toString())));
+      });
+      return box;
+    }
+    default: {
+      auto* line = new QLineEdit(row.box);
+      line->setMinimumWidth(50);
+      if (row.def.type == ParamType::Real || row.def.type == ParamType::Integer) {
+        line->setAlignment(Qt::AlignRight);
+      }
+      connect(line, &QLineEdit::editingFinished, this,
+              [this, section, key, line] { commitText(section, key, line->text()); });
+      if (row.def.type == ParamType::File) {
+        QAction* browse = line->addAction(icon("open"), QLineEdit::TrailingPosition);
+        browse->setToolTip(tr("Choose a file"));
+        connect(browse, &QAction::triggered, this, [this, section, key, line] {
+          const QString file =
+              QFileDialog::getOpenFileName(this, tr("Choose a file"), line->text());
+          if (!file.isEmpty()) {
+            line->setText(file);
+            commitText(section, key, file);
+          }
+        });
+      }
+      return line;
+    }
+  }
+}
+
+void ParamForm::commitText(const std::string& section,
+                           const std::string& key,
+                           const QString& text) {
+  Row* row = find(section, key);
+  if (row == nullptr || row->readOnly || text == valueText(row->shown)) {
+    if (row != nullptr && text == valueText(row->shown)) {
+      row->error->hide();
+    }
+    return;
+  }
+  const auto found = std::find_if(sections_.begin(), sections_.end(),
+                                  [&](const FormSection& s) { return s.id == section; });
+  try {
+    const Value value = found->schema.parse(key, utf8(text.trimmed()));
+    Value object = Value::object();
+    object.set(key, value);
+    const std::vector<ParamProblem> problems = found->schema.validate(object);
+    if (!problems.empty()) {
+      showError(section, key, qt(problems.front().message));
+      return;
+    }
+    row->error->hide();
+    // The document may answer at once and rebuild this form.
+    emit edited(std::string(section), std::string(key), value);
+  } catch (const Error& error) {
+    showError(section, key, qt(error.message()));
+  }
+}
+
+void ParamForm::showError(const std::string& section,
+                          const std::string& key,
+                          const QString& error) {
+  if (Row* row = find(section, key)) {
+    row->error->setText(error);
+    row->error->setVisible(!error.isEmpty());
+  }
+}
+
+QString ParamForm::errorAt(const std::string& section, const std::string& key) const {
+  const Row* row = find(section, key);
+  return row != nullptr && !row->error->isHidden() ? row->error->text() : QString();
+}
+
+void ParamForm::showValues() {
+  for (const FormSection& section : sections_) {
+    Value completed;
+    try {
+      completed = section.schema.complete(section.values);
+    } catch (const Error&) {
+      // Wrong values are shown as they stand, each with its own message.
+      completed = Value::object();
+      for (const ParamDef& def : section.schema.defs()) {
+        const Value* own = section.values.find(def.info.key);
+        completed.set(def.info.key, own != nullptr ? *own : def.defaultValue);
+      }
+    }
+    const std::vector<ParamProblem> problems = section.schema.validate(section.values);
+    for (Row& row : rows_) {
+      if (row.section != section.id) {
+        continue;
+      }
+      bool enabled = true;
+      try {
+        enabled = ParamSchema::enabled(row.def, completed);
+      } catch (const Error&) {
+        enabled = true;
+      }
+      const Value* own = section.values.find(row.def.info.key);
+      showValue(row, own != nullptr && !own->isNull() ? *own : completed.at(row.def.info.key),
+                own != nullptr && !own->isNull(), enabled && !section.readOnly);
+      const auto problem =
+          std::find_if(problems.begin(), problems.end(),
+                       [&](const ParamProblem& p) { return p.path == row.def.info.key; });
+      if (problem != problems.end()) {
+        row.error->setText(qt(problem->message));
+        row.error->show();
+      } else if (row.field->property("stale").toBool() || !row.field->hasFocus()) {
+        row.error->hide();
+      }
+    }
+  }
+}
+
+void ParamForm::showValue(Row& row, const Value& value, bool isSet, bool enabled) {
+  const bool changed = !(row.shown == value);
+  row.shown = value;
+  const QSignalBlocker block(row.field);
+  if (auto* box = qobject_cast<QCheckBox*>(row.field)) {
+    box->setChecked(value.isBool() && value.asBool());
+  } else if (auto* combo = qobject_cast<QComboBox*>(row.field)) {
+    const QString key = value.isString() ? qt(value.asString()) : QString();
+    int index = combo->findData(key);
+    if (index < 0 && !key.isEmpty()) {
+      combo->addItem(key, key);
+      index = combo->count() - 1;
+    }
+    combo->setCurrentIndex(index);
+  } else if (auto* line = qobject_cast<QLineEdit*>(row.field)) {
+    if (changed || !line->hasFocus()) {
+      line->setText(valueText(value));
+      line->setCursorPosition(0);
+    }
+  }
+  QFont font = row.label->font();
+  font.setBold(isSet);
+  row.label->setFont(font);
+  row.reset->setVisible(isSet && enabled);
+  row.field->setEnabled(enabled);
+  row.label->setEnabled(enabled);
+}
+
+void ParamForm::filter() {
+  const QString wanted = search_->text().trimmed();
+  for (const auto& [group, indices] : groups_) {
+    bool any = false;
+    bool open = true;
+    for (const std::size_t i : indices) {
+      Row& row = rows_[i];
+      const auto* head = qobject_cast<QToolButton*>(row.group);
+      open = head == nullptr || head->isChecked();
+      const QString all = engineText(row.def.info.label) + " " + engineText(row.def.info.help) +
+                          " " + qt(row.def.info.key) + " " + engineText(row.def.info.group);
+      // A search looks into all levels; what is set is always shown.
+      const bool shown = wanted.isEmpty()
+                             ? static_cast<int>(row.def.info.level) <= level_->currentIndex() ||
+                                   !row.reset->isHidden()
+                             : all.contains(wanted, Qt::CaseInsensitive);
+      row.box->setVisible(shown && (open || !wanted.isEmpty()));
+      any = any || shown;
+    }
+    group->setVisible(any);
+  }
+}
+
+ParamForm::Row* ParamForm::find(const std::string& section, const std::string& key) {
+  for (Row& row : rows_) {
+    if (row.section == section && row.def.info.key == key) {
+      return &row;
+    }
+  }
+  return nullptr;
+}
+
+const ParamForm::Row* ParamForm::find(const std::string& section, const std::string& key) const {
+  return const_cast<ParamForm*>(this)->find(section, key);
+}
+
+QWidget* ParamForm::field(const std::string& section, const std::string& key) const {
+  const Row* row = find(section, key);
+  return row != nullptr ? row->field : nullptr;
+}
+
+void ParamForm::focusSearch() {
+  search_->setFocus();
+  search_->selectAll();
+}
+
+void ParamForm::focusField(const std::string& section, const std::string& key) {
+  if (const Row* row = find(section, key)) {
+    if (row->box->isHidden()) {
+      search_->setText(qt(key));
+    }
+    scroll_->ensureWidgetVisible(row->box);
+    row->field->setFocus();
+  }
+}
+
+}  // namespace wcam::gui

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/param.hpp"
+
+#include <QWidget>
+
+#include <map>
+#include <string>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace wcam::gui {
+
+/// A group of parameters of a form: a schema and the values that stand in the document.
+struct FormSection {
+  std::string id;  ///< "params", "path", ...
+  QString title;
+  ParamSchema schema;
+  Value values;  ///< sparse object
+  bool readOnly = false;
+};
+
+/// A form made from schemas: search, groups, levels, units, limits, errors at their fields, reset
+/// to the default. Knows nothing of documents: it tells what was edited.
+class ParamForm : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit ParamForm(QWidget* parent = nullptr);
+
+  /// @param identity of what is edited; the same identity keeps fields, focus and scroll position
+  void setSections(const std::string& identity,
+                   const QString& title,
+                   std::vector<FormSection> sections);
+  void clear();
+
+  /// Field of a parameter, for tests; null when it is not there.
+  [[nodiscard]] QWidget* field(const std::string& section, const std::string& key) const;
+  /// The error that stands at a field; empty when there is none.
+  [[nodiscard]] QString errorAt(const std::string& section, const std::string& key) const;
+  /// Shows an error of the command at the field that was edited last.
+  void showError(const std::string& section, const std::string& key, const QString& error);
+  void focusSearch();
+  /// Opens and focuses the field of a parameter.
+  void focusField(const std::string& section, const std::string& key);
+
+signals:
+  /// A value in file units, or null for the default.
+  void edited(const std::string& section, const std::string& key, const wcam::Value& value);
+
+private:
+  struct Row {
+    std::string section;
+    ParamDef def;
+    QWidget* box = nullptr;  ///< everything of the row
+    QLabel* label = nullptr;
+    QWidget* field = nullptr;
+    QLabel* error = nullptr;
+    QToolButton* reset = nullptr;
+    QWidget* group = nullptr;
+    Value shown;
+    bool readOnly = false;
+  };
+
+  void rebuild();
+  void addRow(const FormSection& section, const ParamDef& def, QWidget* group, QVBoxLayout* layout);
+  QWidget* makeField(Row& row);
+  void showValues();
+  void showValue(Row& row, const Value& value, bool isSet, bool enabled);
+  void filter();
+  void commitText(const std::string& section, const std::string& key, const QString& text);
+  [[nodiscard]] Row* find(const std::string& section, const std::string& key);
+  [[nodiscard]] const Row* find(const std::string& section, const std::string& key) const;
+
+  std::string identity_;
+  std::vector<FormSection> sections_;
+  std::vector<Row> rows_;
+  std::vector<std::pair<QWidget*, std::vector<std::size_t>>> groups_;
+  std::map<std::string, bool> collapsed_;
+  QLabel* title_;
+  QLineEdit* search_;
+  QComboBox* level_;
+  QScrollArea* scroll_;
+  QWidget* body_ = nullptr;
+};
+
+}  // namespace wcam::gui

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "text.hpp"
+
+#include <QCoreApplication>
+
+namespace wcam::gui {
+
+QString errorText(const Error& error) {
+  QString text = qt(error.what());
+  if (!error.hint().empty()) {
+    text += "\n" + QCoreApplication::translate("text", "Hint: %1").arg(qt(error.hint()));
+  }
+  return text;
+}
+
+QString nameOf(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::Layer:
+      return QCoreApplication::translate("text", "Layer");
+    case Quantity::Feature:
+      return QCoreApplication::translate("text", "Feature");
+    case Quantity::Height:
+      return QCoreApplication::translate("text", "Bead height");
+    case Quantity::Distance:
+      return QCoreApplication::translate("text", "Inter-layer distance");
+    case Quantity::Width:
+      return QCoreApplication::translate("text", "Bead width");
+    case Quantity::TravelSpeed:
+      return QCoreApplication::translate("text", "Travel speed");
+    case Quantity::TcpSpeed:
+      return QCoreApplication::translate("text", "Predicted TCP speed");
+    case Quantity::WireSpeed:
+      return QCoreApplication::translate("text", "Wire feed speed");
+    case Quantity::Tilt:
+      return QCoreApplication::translate("text", "Torch tilt");
+    case Quantity::Overhang:
+      return QCoreApplication::translate("text", "Overhang");
+    case Quantity::ReachMargin:
+      return QCoreApplication::translate("text", "Reach margin");
+    case Quantity::Singularity:
+      return QCoreApplication::translate("text", "Distance to wrist singularity");
+    case Quantity::LimitMargin:
+      return QCoreApplication::translate("text", "Joint-limit margin");
+    case Quantity::Finding:
+      return QCoreApplication::translate("text", "Findings");
+    case Quantity::Time:
+      return QCoreApplication::translate("text", "Time");
+  }
+  return {};
+}
+
+QString kindName(Quantity quantity, int kind) {
+  if (quantity == Quantity::Finding) {
+    switch (kind) {
+      case 0:
+        return QCoreApplication::translate("text", "Nothing found");
+      case 1:
+        return QCoreApplication::translate("text", "Information");
+      case 2:
+        return QCoreApplication::translate("text", "Warning");
+      default:
+        return QCoreApplication::translate("text", "Violation");
+    }
+  }
+  switch (static_cast<toolpath::BeadFeature>(kind)) {
+    case toolpath::BeadFeature::Wall:
+      return QCoreApplication::translate("text", "Wall");
+    case toolpath::BeadFeature::Inset:
+      return QCoreApplication::translate("text", "Inset");
+    case toolpath::BeadFeature::Fill:
+      return QCoreApplication::translate("text", "Fill");
+    case toolpath::BeadFeature::Junction:
+      return QCoreApplication::translate("text", "Junction");
+    case toolpath::BeadFeature::Cladding:
+      return QCoreApplication::translate("text", "Cladding");
+    case toolpath::BeadFeature::Imported:
+      return QCoreApplication::translate("text", "Imported");
+  }
+  return QString::number(kind);
+}
+
+QString engineText(const std::string& text) {
+  return QCoreApplication::translate("engine", text.c_str());
+}
+
+}  // namespace wcam::gui

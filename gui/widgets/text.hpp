@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/base/error.hpp"
+
+#include "model/path_model.hpp"
+
+#include <QString>
+
+#include <string>
+
+namespace wcam::gui {
+
+inline QString qt(const std::string& text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+inline std::string utf8(const QString& text) {
+  return text.toUtf8().toStdString();
+}
+
+/// Message, place and hint of an error as camcli tells them.
+QString errorText(const Error& error);
+
+/// Translated name of a quantity.
+QString nameOf(Quantity quantity);
+
+/// Name of a kind of a quantity of kinds.
+QString kindName(Quantity quantity, int kind);
+
+/// The engine's texts (labels and helps of parameters, findings) in the language of the program:
+/// from the context "engine" of the translations; the text itself when there is none.
+QString engineText(const std::string& text);
+
+}  // namespace wcam::gui

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/application.hpp"
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSettings>
+
+#include <clocale>
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  wcam::gui::prepareApplication();
+  QCoreApplication::setApplicationName("wcam-test");
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  // Tests begin with the settings of a new user.
+  QSettings().clear();
+  return RUN_ALL_TESTS();
+}
