@@ -111,12 +111,8 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
       references = aligned;
     }
   }
-  const detail::Task task{cell,
-                          params,
-                          std::move(targets),
-                          std::move(runs),
-                          std::move(aligned),
-                          std::move(references)};
+  const detail::Task task{
+      cell, params, std::move(targets), std::move(runs), std::move(aligned), std::move(references)};
   context.report(0.1);
   const JobContext planning = context.portion(0.1, 0.8);
   detail::Candidate chosen =

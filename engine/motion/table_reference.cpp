@@ -39,6 +39,7 @@ struct Freedom {
   double tolerance;
   double halfTurns;
 };
+
 constexpr Freedom kFreedoms[] = {{0.3, 1.0}, {0.6, 1.0}, {0.9, 1.0}, {0.9, 4.0}};
 
 /// Turns of the table, [low, high].
@@ -106,8 +107,8 @@ public:
     }
     const Swing s = swing(up);
     const auto angle = [](double sine) { return std::asin(std::clamp(sine, -1.0, 1.0)); };
-    const double least = std::max({0.0, angle(s.offset - s.radius) - level_,
-                                   level_ - angle(s.offset + s.radius)});
+    const double least =
+        std::max({0.0, angle(s.offset - s.radius) - level_, level_ - angle(s.offset + s.radius)});
     const double low = std::sin(std::max(level_ - least - tolerance, -0.5 * kPi)) - s.offset;
     const double high = std::sin(std::min(level_ + least + tolerance, 0.5 * kPi)) - s.offset;
     const double inner = high >= s.radius ? 0.0 : std::acos(std::clamp(high / s.radius, -1.0, 1.0));
@@ -130,7 +131,9 @@ public:
 
 private:
   /// An arc with all its full turns inside the limits.
-  void addLifted(const Arc& arc, const std::vector<double>& centres, std::vector<Node>& nodes) const {
+  void addLifted(const Arc& arc,
+                 const std::vector<double>& centres,
+                 std::vector<Node>& nodes) const {
     if (!limits_) {
       addSampled(arc, arc, centres, nodes);
       return;
@@ -153,7 +156,8 @@ private:
                          const std::vector<double>& centres,
                          std::vector<Node>& nodes) {
     constexpr double kStep = kTurn / kSamples;
-    for (auto k = static_cast<int>(std::ceil(sampled.low / kStep)); k * kStep <= sampled.high; ++k) {
+    for (auto k = static_cast<int>(std::ceil(sampled.low / kStep)); k * kStep <= sampled.high;
+         ++k) {
       nodes.push_back({k * kStep, arc});
     }
     for (const double centre : centres) {
@@ -297,7 +301,8 @@ private:
     double ratio = 0.0;
     for (std::size_t k = 1; k < way.size(); ++k) {
       if (line_.linked[k] != 0) {
-        ratio = std::max(ratio, (std::abs(way[k] - way[k - 1]) - kStill) / (speed_ * line_.step[k]));
+        ratio =
+            std::max(ratio, (std::abs(way[k] - way[k - 1]) - kStill) / (speed_ * line_.step[k]));
       }
     }
     return ratio;

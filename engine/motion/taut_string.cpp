@@ -29,6 +29,7 @@ struct Chain {
   std::size_t apex = 0;
 
   [[nodiscard]] std::size_t size() const { return vertices.size() - apex; }
+
   [[nodiscard]] const Vertex& front() const { return vertices[apex]; }
 };
 
@@ -53,14 +54,15 @@ private:
   /// @param sign 1 where `own` leads to the upper ends: its slopes ascend
   void extend(Chain& own, Chain& other, const Vertex& end, double sign) {
     std::vector<Vertex>& v = own.vertices;
-    while (own.size() > 1 && sign * (slope(v[v.size() - 2], v.back()) - slope(v.back(), end)) >= 0) {
+    while (own.size() > 1 &&
+           sign * (slope(v[v.size() - 2], v.back()) - slope(v.back(), end)) >= 0) {
       v.pop_back();
     }
     if (own.size() == 1) {
       // Beyond the other side: the path bends there.
-      while (other.size() > 1 &&
-             sign * (slope(other.front(), end) -
-                     slope(other.front(), other.vertices[other.apex + 1])) < 0.0) {
+      while (other.size() > 1 && sign * (slope(other.front(), end) -
+                                         slope(other.front(), other.vertices[other.apex + 1])) <
+                                     0.0) {
         ++other.apex;
         path_.push_back(other.front());
       }
@@ -102,9 +104,8 @@ std::vector<double> tautString(const std::vector<Gate>& gates) {
     const Vertex& b = path[k + 1];
     // From the nearer end: the far ones would cost digits.
     const double time = gates[i].time;
-    const double value = time - a.time < b.time - time
-                             ? a.value + slope(a, b) * (time - a.time)
-                             : b.value - slope(a, b) * (b.time - time);
+    const double value = time - a.time < b.time - time ? a.value + slope(a, b) * (time - a.time)
+                                                       : b.value - slope(a, b) * (b.time - time);
     values[i] = std::clamp(value, gates[i].low, gates[i].high);
   }
   return values;

@@ -27,11 +27,9 @@ void expectStationary(const std::vector<Gate>& gates, const std::vector<double>&
   for (std::size_t i = 0; i < x.size(); ++i) {
     ASSERT_GE(x[i], gates[i].low);
     ASSERT_LE(x[i], gates[i].high);
-    const double before =
-        i > 0 ? (x[i] - x[i - 1]) / (gates[i].time - gates[i - 1].time) : 0.0;
-    const double after = i + 1 < x.size()
-                             ? (x[i + 1] - x[i]) / (gates[i + 1].time - gates[i].time)
-                             : 0.0;
+    const double before = i > 0 ? (x[i] - x[i - 1]) / (gates[i].time - gates[i - 1].time) : 0.0;
+    const double after =
+        i + 1 < x.size() ? (x[i + 1] - x[i]) / (gates[i + 1].time - gates[i].time) : 0.0;
     const double pull = after - before;  // upwards
     if (x[i] < gates[i].high - 1e-9) {
       EXPECT_LE(pull, slack) << "gate " << i;
