@@ -454,8 +454,9 @@ void readRobot(Reader& reader, const Value& file, Cell& cell) {
   if (robot == nullptr) {
     return;
   }
-  reader.knownKeys(*robot, "robot",
-                   {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions", "collision"});
+  reader.knownKeys(
+      *robot, "robot",
+      {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions", "collision"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);
   cell.robot.T_last_tip = reader.pose(*robot, "robot", "T_last_flange", false);

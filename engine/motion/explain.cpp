@@ -243,6 +243,11 @@ private:
   std::vector<TrialPoint> points_;
 };
 
+bool movesSomething(const Cure& cure) {
+  return cure.change.turn != 0.0 || cure.change.onTable != Vec3::Zero() ||
+         cure.change.inBase != Vec3::Zero();
+}
+
 void explain(Diagnostic& finding,
              const Explanation& explanation,
              const Trial& trial,
@@ -251,8 +256,14 @@ void explain(Diagnostic& finding,
              const JobContext& context) {
   const Cure* best = nullptr;
   std::size_t served = 0;
+  // Where part or positioner are moved, collisions are not looked at: no cure for one.
+  const bool collides =
+      finding.code == "motion.collision" || finding.code == "motion.near_collision";
   for (const std::vector<Cure>& group : groups) {
     context.check();
+    if (group.empty() || (collides && movesSomething(group.front()))) {
+      continue;
+    }
     for (const Cure& cure : group) {
       const std::size_t count = explanation.served(trial, cure.change, params);
       if (count > served) {
@@ -268,14 +279,20 @@ void explain(Diagnostic& finding,
     }
   }
   if (best == nullptr) {
+    if (collides) {
+      finding.remedy =
+          "none of these alone puts it right: rotations about the torch, the other configurations, "
+          "tilts within the tolerances; change the axes of the path, the shape of the torch or the "
+          "order of the beads";
+      return;
+    }
     finding.remedy =
         "none of these alone puts it right: rotations about the torch, the other configurations, "
         "tilts within the tolerances, turning the part, moving part or positioner by up to " +
         formatFixed(kGreatestMove, 0) + " mm; search a placement with `camcli place`";
     return;
   }
-  const bool moved = best->key.starts_with("cure_table") || best->key.starts_with("cure_base") ||
-                     best->key == "cure_turn_deg";
+  const bool moved = movesSomething(*best);
   finding.remedy = best->text;
   if (served < explanation.count()) {
     finding.remedy += ": that serves " + std::to_string(served) + " of " +

@@ -261,8 +261,10 @@ private:
     std::vector<float> clearance(states.size());
     collision->evaluate(states, clearance);
     place.clearance = std::numeric_limits<double>::infinity();
+    const double safety = collision->settings().safetyDistance;
     for (const float value : clearance) {
-      place.failing += value < 0.0F ? 1 : 0;
+      // Below the safety distance is a warning, as it is when the motion is checked.
+      place.failing += value + safety < 0.0 ? 1 : 0;
       place.clearance = std::min(place.clearance, static_cast<double>(value));
     }
     place.score = std::min(place.score, comfort(place.clearance, kComfortClearance));

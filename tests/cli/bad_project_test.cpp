@@ -170,10 +170,8 @@ TEST_F(BadProject, UnreachablePartGetsNoRobotProgram) {
 }
 
 TEST_F(BadProject, OneUnreachableOperationDoesNotStopTheOther) {
-  const fs::path project = elbowWith("\"operations\": [\n    {\n      \"id\": \"planar\",",
-                                     "\"operations\": [\n    {\n      \"id\": \"planar\",\n"
-                                     "      \"motion\": {\"safe_height\": 3000},");
-  const ProcessResult result = camcli({"--project", project, "--output", "out"});
+  const ProcessResult result = camcli({"--project", example("elbow"), "--output", "out", "--set",
+                                       "operations.planar.motion.safe_height=3000"});
   EXPECT_EQ(result.exitCode, 5) << result.err;
   const Files files = filesBelow(folder_ / "out");
   EXPECT_TRUE(files.contains("fanuc/GUIDE.LS"));

@@ -4,6 +4,9 @@
 #include "camcli.hpp"
 
 #include "wcam/base/text.hpp"
+#include "wcam/project/project_file.hpp"
+
+#include "quick_motion.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -34,8 +37,23 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text;
 }
 
-fs::path exampleFolder(const std::string& name) {
+fs::path shippedExample(const std::string& name) {
   return fs::path(WCAM_RESOURCES) / "projects" / name;
+}
+
+fs::path exampleFolder(const std::string& name) {
+  static const TestFolder folder;
+  const fs::path target = folder / name;
+  if (!fs::exists(target)) {
+    fs::copy(shippedExample(name), target, fs::copy_options::recursive);
+    for (const auto& entry : fs::recursive_directory_iterator(target)) {
+      fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
+    }
+    const fs::path project = target / (name + ".wcam");
+    writeFileAtomically(project,
+                        test::withQuickMotion(project::loadProject(project).document).text());
+  }
+  return target;
 }
 
 std::size_t Table::column(const std::string& name) const {

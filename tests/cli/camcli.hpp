@@ -27,7 +27,10 @@ Files filesBelow(const std::filesystem::path& folder);
 /// Text with every `from` replaced; fails the test when there is none.
 std::string replaced(std::string text, std::string_view from, std::string_view to);
 
-/// Folder of an example project that comes with the program.
+/// Folder of an example project as it comes with the program.
+std::filesystem::path shippedExample(const std::string& name);
+/// Folder with a copy of an example project with a constant rotation about the torch, which plans
+/// quickly; the same one for the life of the process.
 std::filesystem::path exampleFolder(const std::string& name);
 
 /// Rows of a table by column name.
@@ -47,7 +50,7 @@ class CamcliTest : public ::testing::Test {
 protected:
   /// Runs camcli in the test's folder, away from the plugins and settings of the user.
   ProcessResult camcli(std::vector<std::string> arguments, ProcessRequest request = {}) const;
-  /// Copies an example project below the test's folder. @return its project file
+  /// Copies an example project (exampleFolder) below the test's folder. @return its project file
   std::filesystem::path example(const std::string& name, const std::string& folder = {}) const;
   /// A copy of the elbow with a changed text in its project file.
   std::filesystem::path elbowWith(std::string_view from, std::string_view to) const;

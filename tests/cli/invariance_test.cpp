@@ -46,6 +46,12 @@ TEST_F(Invariance, Threads) {
   }
 }
 
+TEST_F(Invariance, ThreadsOfTheOptimisedMotion) {
+  const fs::path project = shippedExample("elbow") / "elbow.wcam";
+  expectSame(exported(project, {"--operation", "guide", "--threads", "1"}),
+             exported(project, {"--operation", "guide", "--threads", "2"}));
+}
+
 TEST_F(Invariance, SecondRunIntoTheSameFolder) {
   const Files first = exported(elbow_);
   const ProcessResult again =

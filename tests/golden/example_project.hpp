@@ -7,6 +7,8 @@
 #include "wcam/project/pipeline.hpp"
 #include "wcam/project/project_file.hpp"
 
+#include "quick_motion.hpp"
+
 #include <memory>
 #include <string>
 
@@ -22,8 +24,9 @@ inline std::shared_ptr<const plugin::PluginHost> hostOfPlugins() {
   return host;
 }
 
+/// With a constant rotation about the torch.
 inline project::Document exampleDocument(const std::string& name) {
-  return project::loadProject(exampleFile(name)).document;
+  return withQuickMotion(project::loadProject(exampleFile(name)).document);
 }
 
 }  // namespace wcam::test

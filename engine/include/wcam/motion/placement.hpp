@@ -40,7 +40,7 @@ struct PartPlace {
   double torchRotation = 0.0;  ///< rad
   /// Smallest of the margins, each against what is comfortable (1): 30° to limits and
   /// singularities, 200 mm from axis 1, 0.3 of dexterity and 20 mm of clearance more than the
-  /// parameters ask for. Negative when a point fails.
+  /// parameters ask for. Negative when a point fails or comes nearer than the safety distance.
   double score = 0.0;
 
   [[nodiscard]] bool betterThan(const PartPlace& other) const;
