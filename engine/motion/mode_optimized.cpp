@@ -46,7 +46,7 @@ std::vector<float> collisionCosts(const Task& task,
       q(j) = static_cast<double>(states.row(j, table)[n % kLanes]);
     }
     for (int j = 0; j < cell.positionerJoints(); ++j) {
-      q(6 + j) = task.aligned[frame.family].joints[rung.target][static_cast<std::size_t>(j)];
+      q(6 + j) = task.references[frame.family].joints[rung.target][static_cast<std::size_t>(j)];
     }
     if (cell.positionerJoints() > 0) {
       q(cell.jointCount() - 1) = states.tableValues[table];
@@ -72,7 +72,7 @@ public:
       tryNamed(static_cast<RedundancyMode>(m));
     }
     context_.report(0.3);
-    for (std::size_t family = 0; family < task_.aligned.size(); ++family) {
+    for (std::size_t family = 0; family < task_.references.size(); ++family) {
       tryFamily(family);
     }
     return best_;

@@ -8,6 +8,7 @@
 
 #include "cell_model.hpp"
 #include "modes.hpp"
+#include "table_reference.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +104,15 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
   }
   detail::Runs runs = detail::findRuns(targets);
   std::vector<detail::Positioning> aligned = alignments(cell, targets, context);
-  const detail::Task task{cell, params, std::move(targets), std::move(runs), std::move(aligned)};
+  std::vector<detail::Positioning> references;
+  if (params.mode == RedundancyMode::Optimized) {
+    references = detail::slowerReferences(cell, params, targets, runs, aligned[0], context);
+    if (references.empty()) {
+      references = aligned;
+    }
+  }
+  const detail::Task task{
+      cell, params, std::move(targets), std::move(runs), std::move(aligned), std::move(references)};
   context.report(0.1);
   const JobContext planning = context.portion(0.1, 0.8);
   detail::Candidate chosen =

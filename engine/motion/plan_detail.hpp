@@ -90,6 +90,9 @@ struct Task {
   /// Gravity-aligned references: two where the positioner has two ways, else one; [0] also when the
   /// robot carries the part (all zero).
   std::vector<Positioning> aligned;
+  /// What the search and the refinement start from: `aligned`, or where those turn the table faster
+  /// than it can, slower ones within the vertical tolerance (table_reference.hpp).
+  std::vector<Positioning> references;
 };
 
 // Poses (poses.cpp).

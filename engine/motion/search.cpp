@@ -360,7 +360,7 @@ Resolution resolutionOf(const Task& task, const SearchFrame& frame, const Search
   const Cell& cell = task.cell;
   const bool table = !cell.partCarried() && cell.positionerJoints() > 0;
   const auto last = static_cast<std::size_t>(std::max(cell.positionerJoints() - 1, 0));
-  const std::vector<PositionerValues>& reference = task.aligned[frame.family].joints;
+  const std::vector<PositionerValues>& reference = task.references[frame.family].joints;
   Resolution resolution;
   resolution.choices.resize(task.targets.size());
   resolution.branches.resize(task.runs.count());
@@ -416,7 +416,7 @@ std::vector<double> followingGauge(const Task& task, std::size_t family) {
       }
     } else {
       const Eigen::Matrix3d R_base_part =
-          cell::chainPose(cell.positioner, task.aligned[family].joints[i].data()).linear() *
+          cell::chainPose(cell.positioner, task.references[family].joints[i].data()).linear() *
           cell.T_table_part.linear();
       const Eigen::Matrix3d frame = cell::frameWithZ(R_base_part * target.axis, 0.0);
       const Vec3 along = frame.transpose() * (R_base_part * target.along);

@@ -87,7 +87,7 @@ std::vector<Rung> chooseRungs(const Task& task, std::size_t family, std::size_t 
   for (int k = 0; k < kMaxCoarsening; ++k) {
     rungs.clear();
     for (std::size_t s = 0; s < task.runs.segments.size(); ++s) {
-      addRungs(task, task.aligned[family], s, bend, longest, rungs);
+      addRungs(task, task.references[family], s, bend, longest, rungs);
     }
     if (rungs.size() <= most) {
       break;
@@ -110,7 +110,7 @@ double StateBuilder::tableStep() const {
 FreeChoice StateBuilder::choice(std::size_t target, double tableOffset, double torchSample) const {
   FreeChoice choice;
   choice.torchRotation = frame_.gauge[target] + torchSample * kTorchStep;
-  choice.positioner = task_.aligned[frame_.family].joints[target];
+  choice.positioner = task_.references[frame_.family].joints[target];
   if (hasTable_) {
     choice.positioner[static_cast<std::size_t>(task_.cell.positionerJoints() - 1)] += tableOffset;
   }
@@ -121,7 +121,7 @@ FreeChoice StateBuilder::choice(std::size_t target, double tableOffset, double t
 void StateBuilder::chooseTables(const Rung& rung, RungStates& states) const {
   states.tables.clear();
   states.tableValues.clear();
-  const Positioning& aligned = task_.aligned[frame_.family];
+  const Positioning& aligned = task_.references[frame_.family];
   const auto last = static_cast<std::size_t>(std::max(task_.cell.positionerJoints() - 1, 0));
   const double reference = aligned.joints[rung.target][last];
   const double allowed = aligned.residual[rung.target] + task_.params.verticalTolerance.value();
@@ -310,7 +310,7 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
       cost[n] += over > 0.0F ? steps * SearchPenalty::kTwist * (1.0F + over) : 0.0F;
     }
   }
-  PositionerValues values = task_.aligned[frame_.family].joints[rung.target];
+  PositionerValues values = task_.references[frame_.family].joints[rung.target];
   if (hasTable_) {
     values[static_cast<std::size_t>(cell.positionerJoints() - 1)] = states.tableValues[table];
   }

@@ -97,7 +97,7 @@ double SplineLayout::offsetOf(std::size_t target, const FreeChoice& choice, Free
       return choice.torchRotation - frame_.gauge[target];
     case FreeScalar::Table: {
       const auto last = static_cast<std::size_t>(task_.cell.positionerJoints() - 1);
-      return choice.positioner[last] - task_.aligned[frame_.family].joints[target][last];
+      return choice.positioner[last] - task_.references[frame_.family].joints[target][last];
     }
     case FreeScalar::Lead:
       return choice.lead;
@@ -161,7 +161,7 @@ std::vector<FreeChoice> SplineLayout::choices(const Eigen::VectorXd& x) const {
     const auto values = valuesAt(k, x);
     FreeChoice& choice = choices[target];
     choice.torchRotation = frame_.gauge[target];
-    choice.positioner = task_.aligned[frame_.family].joints[target];
+    choice.positioner = task_.references[frame_.family].joints[target];
     for (std::size_t v = 0; v < active_.size(); ++v) {
       switch (active_[v]) {
         case FreeScalar::Torch:

@@ -178,10 +178,11 @@ TEST_P(TubeOnThePositioner, IsBuiltUprightInsideTheLimits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All,
-                         TubeOnThePositioner,
-                         ::testing::Values(Tube{"p4_quarter_torus.wsurf", "wcam.slicing.constant",
-                                                R"({"step": 2.0})"}));
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    TubeOnThePositioner,
+    ::testing::Values(Tube{"p4_quarter_torus.wsurf", "wcam.slicing.constant", R"({"step": 3.0})"},
+                      Tube{"p6_tube.wsurf", "wcam.slicing.constant", R"({"step": 3.0})"}));
 
 }  // namespace
 }  // namespace wcam::motion

@@ -36,7 +36,7 @@ Task taskOf(const toolpath::Toolpath& path, const cell::Cell& cell, const Motion
   std::vector<detail::Target> targets = detail::makeTargets(path, params, JobContext());
   detail::Runs runs = detail::findRuns(targets);
   std::vector<detail::Positioning> aligned = {detail::positionPart(cell, targets, 0, JobContext())};
-  return {cell, params, std::move(targets), std::move(runs), std::move(aligned)};
+  return {cell, params, std::move(targets), std::move(runs), aligned, aligned};
 }
 
 double greatestOnBeads(const PlannedMotion& planned, int joint) {
