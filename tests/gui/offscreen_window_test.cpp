@@ -10,6 +10,7 @@
 #include "widgets/program_view.hpp"
 #include "widgets/text.hpp"
 
+#include <QAbstractButton>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
