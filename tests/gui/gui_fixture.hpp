@@ -38,8 +38,9 @@ inline std::filesystem::path example(const std::string& name) {
 
 /// A copy of an example that may be written to.
 inline std::filesystem::path copyOf(const std::string& name, const std::filesystem::path& folder) {
-  std::filesystem::copy(example(name).parent_path(), folder,
-                        std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy(
+      example(name).parent_path(), folder,
+      std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
   return folder / (name + ".wcam");
 }
 
