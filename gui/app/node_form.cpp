@@ -17,6 +17,11 @@ namespace wcam::gui {
 
 namespace {
 
+// The choice of nothing: no id, since those begin with a letter or digit.
+constexpr const char* kNoChoice = "-";
+// In front of the keys of a part's placement.
+constexpr const char* kPlacement = "placement_";
+
 /// The place of the texts of this file for translators.
 class NodeText {
   Q_DECLARE_TR_FUNCTIONS(NodeText)
@@ -81,7 +86,7 @@ public:
                     const QString& help = {}) {
     std::vector<ParamChoice> choices;
     if (optional) {
-      choices.push_back({"", utf8(NodeText::tr("none"))});
+      choices.push_back({kNoChoice, utf8(NodeText::tr("none"))});
     }
     if (const Value* nodes = document_.tree().find(list)) {
       for (const Value& node : nodes->asArray()) {
@@ -176,7 +181,7 @@ void addFields(Fields& fields,
   const Value zero(Value::Array{Value(0.0), Value(0.0), Value(0.0)});
   if (node.list == "parts") {
     fields.addFile(NodeText::tr("File"), NodeText::tr("CAD or mesh file of the part"));
-    fields.addPlacement(value.find("placement"), "placement.");
+    fields.addPlacement(value.find("placement"), kPlacement);
     std::vector<ParamChoice> sides;
     for (const std::string& word : project::wallSideWords()) {
       sides.push_back({word, utf8(sideName(word))});
@@ -271,15 +276,15 @@ std::vector<std::string> sectionsOf(const std::string& list) {
 
 NodeForm cellForm(const project::Document& document) {
   const std::string path = document.project().cell.path;
-  std::vector<ParamChoice> choices = {{"", utf8(NodeText::tr("none"))}};
+  std::vector<ParamChoice> choices = {{kNoChoice, utf8(NodeText::tr("none"))}};
   for (const std::string& cell : shippedCells()) {
     choices.push_back({cell, std::filesystem::path(cell).stem().string()});
   }
-  if (std::none_of(choices.begin(), choices.end(),
-                   [&](const ParamChoice& c) { return c.key == path; })) {
+  if (!path.empty() && std::none_of(choices.begin(), choices.end(),
+                                    [&](const ParamChoice& c) { return c.key == path; })) {
     choices.push_back({path, path});
   }
-  const Value value = Value::object({{"file", path}});
+  const Value value = path.empty() ? Value::object() : Value::object({{"file", path}});
   Fields fields(document, value);
   fields.addChoice(
       "file", NodeText::tr("Cell"), std::move(choices),
@@ -361,7 +366,9 @@ project::Command commandOf(const project::Document& document,
   const auto fileRef = [](const Value& path) {
     return Value::object({{"path", path}, {"sha256", ""}});
   };
-  const bool isEmpty = value.isNull() || (value.isString() && value.asString().empty());
+  const bool isEmpty =
+      value.isNull() ||
+      (value.isString() && (value.asString().empty() || value.asString() == kNoChoice));
   if (node.list == "cell") {
     return isEmpty ? project::Command{"cell.remove", Value::object()}
                    : project::Command{"cell.set", Value::object({{"file", fileRef(value)}})};
@@ -372,11 +379,11 @@ project::Command commandOf(const project::Document& document,
             Value::object({{"id", node.id}, {"section", section}, {"key", key}, {"value", value}})};
   }
   Value set = Value::object({{"id", node.id}});
-  if (key.rfind("placement.", 0) == 0) {
+  if (key.rfind(kPlacement, 0) == 0) {
     const Value* own = nodeValue(document, node);
     const Value* before = own != nullptr ? own->find("placement") : nullptr;
     Value placement = before != nullptr ? *before : Value::object();
-    const std::string inner = key.substr(10);
+    const std::string inner = key.substr(std::char_traits<char>::length(kPlacement));
     if (value.isNull()) {
       placement.remove(inner);
     } else {

@@ -102,6 +102,8 @@ struct Scene::Impl {
 
   vtkSmartPointer<vtkActor> mark;
   std::vector<std::vector<vtkSmartPointer<vtkActor>>> bodies;
+  std::vector<bool>
+      surroundings;  ///< per body: floor and fences, left out when everything is fitted
   bool bodiesVisible = false;
   std::vector<vtkSmartPointer<vtkActor>> torch;
   bool torchShown = false;
@@ -178,6 +180,9 @@ struct Scene::Impl {
     if (substrate) {
       substrate->SetVisibility(substrateVisible);
       setColour(substrate->GetProperty(), theme.substrate);
+      // The light comes from the eye, which looks along the plate: without this it would be dark.
+      substrate->GetProperty()->SetAmbient(0.5);
+      substrate->GetProperty()->SetDiffuse(0.6);
       substrateEdges->SetVisibility(substrateVisible);
       setColour(substrateEdges->GetProperty(), theme.edge);
     }
@@ -547,14 +552,18 @@ void Scene::setBodies(const std::vector<Body>& bodies) {
     }
   }
   impl_->bodies.clear();
+  impl_->surroundings.clear();
   for (const Body& body : bodies) {
     std::vector<vtkSmartPointer<vtkActor>> actors;
+    const bool surroundings = body.name == "world";
     const auto addActor = [&](vtkPolyData* data, const Colour& colour) {
       auto actor = makeActor(data);
+      // What stands around must not hide what is built.
+      actor->GetProperty()->SetOpacity(surroundings ? 0.25 : 1.0);
       setColour(actor->GetProperty(), colour);
       actor->GetProperty()->SetSpecular(0.25);
       actor->GetProperty()->SetSpecularPower(25.0);
-      actor->GetProperty()->SetAmbient(0.15);
+      actor->GetProperty()->SetAmbient(0.3);
       actor->SetVisibility(impl_->bodiesVisible);
       impl_->add(actor);
       actors.push_back(actor);
@@ -566,6 +575,7 @@ void Scene::setBodies(const std::vector<Body>& bodies) {
       addActor(surfaceOf(mesh), body.meshColour);
     }
     impl_->bodies.push_back(std::move(actors));
+    impl_->surroundings.push_back(surroundings);
   }
 }
 
@@ -669,9 +679,9 @@ std::array<double, 6> Scene::bounds() const {
     grow(impl_->substrate);
   }
   if (impl_->bodiesVisible) {
-    for (const auto& actors : impl_->bodies) {
-      for (vtkActor* actor : actors) {
-        grow(actor);
+    for (std::size_t i = 0; i < impl_->bodies.size(); ++i) {
+      for (vtkActor* actor : impl_->bodies[i]) {
+        grow(impl_->surroundings[i] ? nullptr : actor);
       }
     }
   }

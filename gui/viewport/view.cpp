@@ -318,7 +318,7 @@ void View::fit() {
   const std::array<double, 6> box = impl_->scene.bounds();
   if (box[0] <= box[1]) {
     impl_->scene.renderer()->ResetCamera(box.data());
-    impl_->camera()->Zoom(1.25);
+    impl_->camera()->Zoom(1.08);
     if (impl_->camera()->GetParallelProjection() == 0) {
       // Zoom() narrows the angle; the same by coming nearer, so that the perspective stays.
       const double angle = impl_->camera()->GetViewAngle();

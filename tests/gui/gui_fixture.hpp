@@ -53,14 +53,26 @@ inline bool waitSettled(MainWindow& window) {
   return waitFor([&] { return settled(window); });
 }
 
+/// Dialogs that are waited for; one that never came must not be met by a later test.
+inline int& dialogsAwaited() {
+  static int count = 0;
+  return count;
+}
+
+inline bool dialogsDone() {
+  return dialogsAwaited() == 0;
+}
+
 /// When the next modal dialog is open, calls a function with it.
 inline void whenDialog(const std::function<void(QDialog&)>& then) {
   auto* timer = new QTimer(qApp);
+  ++dialogsAwaited();
   timer->setInterval(20);
   QObject::connect(timer, &QTimer::timeout, qApp, [timer, then] {
     auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
     if (dialog != nullptr && dialog->isVisible()) {
       timer->stop();
+      --dialogsAwaited();
       timer->deleteLater();
       then(*dialog);
     }

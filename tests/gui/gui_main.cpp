@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName("wcam-test");
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
+  wcam::gui::loadTranslations(application, "en");
   // Tests begin with the settings of a new user.
   QSettings().clear();
   return RUN_ALL_TESTS();

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 #include <QDialogButtonBox>
+#include <QDragEnterEvent>
 #include <QLockFile>
 #include <QMessageBox>
 #include <QMimeData>
@@ -34,8 +35,13 @@ protected:
   void drop(const std::filesystem::path& file) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(qt(pathText(file)))});
+    // Qt knows the target of a drop from the enter before it.
+    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    ASSERT_TRUE(enter.isAccepted());
     QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &event);
+    ASSERT_TRUE(test::dialogsDone()) << "the drop opened no dialog";
   }
 
   testing::TestFolder folder;
