@@ -78,7 +78,7 @@ MainWindow::MainWindow(std::shared_ptr<const plugin::PluginHost> plugins, bool v
   buildToolBar();
   connectAll();
   resize(1280, 860);
-  resizeDocks({treeDock_, formDock_}, {240, 340}, Qt::Horizontal);
+  resizeDocks({treeDock_, formDock_}, {240, 380}, Qt::Horizontal);
   resizeDocks({bottomDock_}, {210}, Qt::Vertical);
   const QSettings settings;
   if (settings.contains("window/geometry")) {
@@ -361,6 +361,9 @@ void MainWindow::applyTheme(bool dark) {
   actions_->updateIcons();
   moves_->updateIcons();
   tree_->updateIcons();
+  // Its icons and fonts are made with its fields.
+  form_->clear();
+  showNode(tree_->selected());
   scene_->setDark(dark);
   QSettings().setValue("window/dark", dark);
 }

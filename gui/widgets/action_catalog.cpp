@@ -28,7 +28,8 @@ QAction* ActionCatalog::add(const QString& id,
   action->setToolTip(QString("<b>%1</b>%2<br/>%3")
                          .arg(plain.toHtmlEscaped(), keys.isEmpty() ? QString() : " (" + keys + ")",
                               help.toHtmlEscaped()));
-  action->setProperty("icon", icon);
+  // "icon" is a property of QAction itself.
+  action->setProperty("iconName", icon);
   if (!icon.isEmpty()) {
     action->setIcon(gui::icon(icon));
   }
@@ -72,7 +73,7 @@ QMenu* ActionCatalog::menu(const QString& title) const {
 
 void ActionCatalog::updateIcons() const {
   for (const Entry& entry : entries_) {
-    const QString name = entry.action->property("icon").toString();
+    const QString name = entry.action->property("iconName").toString();
     if (!name.isEmpty()) {
       entry.action->setIcon(gui::icon(name));
     }

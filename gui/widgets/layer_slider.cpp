@@ -15,7 +15,7 @@ namespace wcam::gui {
 
 namespace {
 
-constexpr double kMargin = 22.0;
+constexpr double kMargin = 36.0;
 constexpr double kThumb = 8.0;
 constexpr int kTrack = 22;  // x of the track
 
@@ -99,7 +99,7 @@ void LayerSlider::paintEvent(QPaintEvent*) {
   }
   drawThumb(top, state_.upper(), upperChosen_ || state_.single(), apart);
   painter.setPen(palette().color(QPalette::PlaceholderText));
-  painter.drawText(QRectF(0, 0, width(), kMargin - 6), Qt::AlignCenter,
+  painter.drawText(QRectF(0, 2, width(), 18), Qt::AlignCenter,
                    tr("%n layer(s)", nullptr, state_.layerCount()));
 }
 

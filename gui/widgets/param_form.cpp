@@ -197,8 +197,9 @@ void ParamForm::rebuild() {
       inside->setContentsMargins(0, 0, 0, 0);
       inside->setSpacing(3);
       auto* head = new QToolButton(group);
-      const QString title =
-          name == "General" ? section.title : section.title + " · " + engineText(name);
+      const QString title = name == "General" || engineText(name) == section.title
+                                ? section.title
+                                : section.title + " · " + engineText(name);
       head->setText(title);
       head->setObjectName("formGroup");
       head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -251,8 +252,8 @@ void ParamForm::addRow(const FormSection& section,
   row.field->setAccessibleName(engineText(def.info.label));
   row.field->setEnabled(!section.readOnly);
   row.label->setBuddy(row.field);
-  line->addWidget(row.label, 5);
-  line->addWidget(row.field, 4);
+  line->addWidget(row.label, 4);
+  line->addWidget(row.field, 5);
   auto* unit = new QLabel(qt(fileUnit(def.quantity)), row.box);
   unit->setObjectName("formUnit");
   unit->setFixedWidth(unit->fontMetrics().horizontalAdvance("m/min") + 4);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/main_window.hpp"
+#include "quick_motion.hpp"
 #include "test_folder.hpp"
 #include <gtest/gtest.h>
 
@@ -36,12 +37,14 @@ inline std::filesystem::path example(const std::string& name) {
   return std::filesystem::path(WCAM_RESOURCES) / "projects" / name / (name + ".wcam");
 }
 
-/// A copy of an example that may be written to.
+/// A copy of an example that may be written to, with a motion that takes no time to plan.
 inline std::filesystem::path copyOf(const std::string& name, const std::filesystem::path& folder) {
   std::filesystem::copy(
       example(name).parent_path(), folder,
       std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
-  return folder / (name + ".wcam");
+  const std::filesystem::path file = folder / (name + ".wcam");
+  project::saveProject(wcam::test::withQuickMotion(project::loadProject(file).document), file);
+  return file;
 }
 
 /// True when everything that the document asks for is computed and shown.

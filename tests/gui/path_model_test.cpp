@@ -8,6 +8,7 @@
 #include "model/generation.hpp"
 #include "model/program_text.hpp"
 #include "model/shapes.hpp"
+#include "quick_motion.hpp"
 #include "sample_path.hpp"
 #include <gtest/gtest.h>
 
@@ -24,7 +25,8 @@ const Generated& elbow() {
         std::filesystem::path(WCAM_RESOURCES) / "projects/elbow/elbow.wcam";
     const auto plugins =
         std::make_shared<const plugin::PluginHost>(plugin::defaultPluginSearch({}, false));
-    const project::Pipeline pipeline(project::loadProject(file).document, file, plugins);
+    const project::Pipeline pipeline(
+        wcam::test::withQuickMotion(project::loadProject(file).document), file, plugins);
     return generate(pipeline, "guide", Generated(), JobContext(), [](const Generated&) {});
   }();
   return result;
@@ -128,7 +130,8 @@ TEST(ProgramText, TiesEveryMotionLineOfTheExportedLanguagesToItsMove) {
       std::filesystem::path(WCAM_RESOURCES) / "projects/elbow/elbow.wcam";
   const auto plugins =
       std::make_shared<const plugin::PluginHost>(plugin::defaultPluginSearch({}, false));
-  const project::Document document = project::loadProject(file).document;
+  const project::Document document =
+      wcam::test::withQuickMotion(project::loadProject(file).document);
   const project::Pipeline pipeline(document, file, plugins);
   for (const project::Output& output : document.project().outputs) {
     const ProgramText text =
@@ -216,7 +219,7 @@ TEST(Generation, KeepsWhatIsTheSame) {
   const auto plugins =
       std::make_shared<const plugin::PluginHost>(plugin::defaultPluginSearch({}, false));
   const auto cache = std::make_shared<project::StageCache>();
-  project::Document document = project::loadProject(file).document;
+  project::Document document = wcam::test::withQuickMotion(project::loadProject(file).document);
   const auto run = [&](const Generated& before) {
     return generate(project::Pipeline(document, file, plugins, cache), {}, before, JobContext(),
                     [](const Generated&) {});

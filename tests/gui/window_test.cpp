@@ -221,6 +221,15 @@ TEST_F(Window, ScenesShowWhatIsChosen) {
   window.actions().action("view.section")->trigger();
   window.actions().action("view.dark")->trigger();
   const QImage dark = kept("dark");
+  // Icons take the colours of the theme.
+  const QImage icon = window.actions().action("file.save")->icon().pixmap(24).toImage();
+  int lightest = 0;
+  for (int y = 0; y < icon.height(); ++y) {
+    for (int x = 0; x < icon.width(); ++x) {
+      lightest = std::max(lightest, qAlpha(icon.pixel(x, y)) > 200 ? qGray(icon.pixel(x, y)) : 0);
+    }
+  }
+  EXPECT_GT(lightest, 180);
   EXPECT_LT(qGray(dark.pixel(5, 5)), 90);
   window.actions().action("view.dark")->trigger();
   EXPECT_GT(qGray(picture().pixel(5, 5)), 200);
