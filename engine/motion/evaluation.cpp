@@ -7,6 +7,7 @@
 
 #include "cell_model.hpp"
 #include "plan_detail.hpp"
+#include "vertical_tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -166,7 +167,7 @@ private:
       sums[Objective::Gravity] += angle * angle;
     }
     const double leaning =
-        point.verticalError - point.leastVerticalError - params_.verticalTolerance.value();
+        point.verticalError - detail::allowedVerticalError(params_, point.leastVerticalError);
     if (leaning > kSlack) {
       sums.breaks(Constraint::Vertical, leaning);
     }

@@ -263,7 +263,9 @@ private:
           nameOf(slow_) + " slows the torch down to " + formatFixed(slow_.extra, 2) + " mm/s (" +
               formatFixed(-slow_.value * 100.0, 1) + " % of the wanted speed) at " +
               points(slow_.count),
-          "lower the travel speed, smooth the path, or keep away from singularities", slow_,
+          "lower the travel speed, smooth the path (axis_rate bounds the turn of its build "
+          "direction), or keep away from singularities",
+          slow_,
           {{"joint", slow_.joint + 1.0},
            {"speed_mm_s", slow_.extra},
            {"speed_ratio", -slow_.value}});

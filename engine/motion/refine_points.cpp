@@ -7,6 +7,8 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/cell/unwrap.hpp"
 
+#include "vertical_tolerance.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -259,8 +261,8 @@ void ModelBuilder::addPoint(const Point& point, double penalty, Sum& sum) const 
   if (weight(Objective::Gravity) > 0.0) {
     addSlope(point.vertical * kDegrees, weight(Objective::Gravity), point.verticalSlope, kDegrees);
   }
-  const double leaning =
-      point.vertical - point.leastVertical - params.verticalTolerance.value() * (1.0 - kTighter);
+  const double leaning = point.vertical - allowedVerticalError(params, point.leastVertical) +
+                         params.verticalTolerance.value() * kTighter;
   if (leaning > 0.0) {
     addSlope(leaning * kDegrees, penalty, point.verticalSlope, kDegrees);
   }

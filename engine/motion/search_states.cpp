@@ -7,6 +7,8 @@
 #include "wcam/cell/angles.hpp"
 #include "wcam/cell/unwrap.hpp"
 
+#include "vertical_tolerance.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -124,7 +126,7 @@ void StateBuilder::chooseTables(const Rung& rung, RungStates& states) const {
   const Positioning& aligned = task_.references[frame_.family];
   const auto last = static_cast<std::size_t>(std::max(task_.cell.positionerJoints() - 1, 0));
   const double reference = aligned.joints[rung.target][last];
-  const double allowed = aligned.residual[rung.target] + task_.params.verticalTolerance.value();
+  const double allowed = allowedVerticalError(task_.params, aligned.residual[rung.target]);
   for (int k = -kTableSamples / 2; k < kTableSamples / 2; ++k) {
     const double value = reference + k * kTableStep;
     if (k != 0) {

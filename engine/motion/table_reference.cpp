@@ -8,6 +8,7 @@
 
 #include "table_axis.hpp"
 #include "taut_string.hpp"
+#include "vertical_tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,26 +22,33 @@ namespace {
 
 constexpr double kTurn = 2.0 * kPi;
 /// Samples of a turn of the table, besides the exact solutions. They only choose between ways.
-constexpr int kSamples = 72;
+constexpr int kSamples = 144;
+constexpr double kSampleStep = kTurn / kSamples;
 /// Axes that are parallel to within this sine have no arcs.
 constexpr double kParallel = 1e-3;
 /// Radius (of sines) below which a direction has no azimuth about the table's axis.
 constexpr double kNoAzimuth = 1e-12;
 /// Repeated points pass in this time, s.
 constexpr double kNoTime = 1e-9;
-/// Part of the greatest speed of the table that is aimed at: the rest is left to what the search
+/// Part of the greatest speeds of both axes that is aimed at: the rest is left to what the search
 /// and the refinement add.
 constexpr double kSpeedRatio = 0.8;
+/// Price of the squared excess of a speed over that part, in squares of speeds: a tenth too fast
+/// for one step outweighs a hundred steps at full speed.
+constexpr double kTooFast = 1e4;
+/// Price of the squared excess of a limited tilt (rad), the same way: a degree outweighs the
+/// fastest turn that a direction may ask for.
+constexpr double kOutside = 1e10;
 constexpr std::size_t kCheckEvery = 1024;
 
-/// How much freedom: a part of the tolerance, within a time of the fast steps (in units of the time
-/// of half a turn).
+/// How much freedom: a part of what the build direction may lean above the least, within a time of
+/// the fast steps (in units of the time of half a turn).
 struct Freedom {
-  double tolerance;
+  double part;
   double halfTurns;
 };
 
-constexpr Freedom kFreedoms[] = {{0.3, 1.0}, {0.6, 1.0}, {0.9, 1.0}, {0.9, 4.0}};
+constexpr Freedom kFreedoms[] = {{0.3, 1.0}, {0.6, 1.0}, {0.9, 1.0}, {0.9, 4.0}, {0.97, 4.0}};
 
 /// Turns of the table, [low, high].
 struct Arc {
@@ -51,19 +59,32 @@ struct Arc {
 struct Node {
   double turn = 0.0;
   Arc arc;
+  double tilt = 0.0;
+};
+
+/// The best tilt for a turn: the angle of the vector with these components, both a constant and
+/// the factors of the turn's cosine and sine.
+struct TiltLaw {
+  Vec3 across, along;
+
+  [[nodiscard]] double at(double turn) const {
+    const Vec3 factors(1.0, std::cos(turn), std::sin(turn));
+    return std::atan2(across.dot(factors), along.dot(factors));
+  }
 };
 
 /// Where the table may stand at a target.
 class Arcs {
 public:
-  explicit Arcs(const Cell& cell) : cell_(cell) {
+  Arcs(const Cell& cell, const MotionParams& params)
+      : params_(params), vertical_(cell.verticalInBase()) {
     const PositionerValues zero{};
     const cell::ChainAxes axes = cell::chainAxes(cell.positioner, zero.data());
     R_base_part_ = axes.T_root_tip.linear() * cell.T_table_part.linear();
     k1_ = axes.directions[0];
     k2_ = axes.directions[1];
     cosine_ = k1_.dot(k2_);
-    level_ = std::asin(std::clamp(k1_.dot(cell.verticalInBase()), -1.0, 1.0));
+    level_ = std::asin(std::clamp(k1_.dot(vertical_), -1.0, 1.0));
     const cell::Joint& last = cell.joint(cell.jointCount() - 1);
     if (!last.endless) {
       limits_ = Arc{std::min(last.sign * last.min, last.sign * last.max),
@@ -96,11 +117,34 @@ public:
     return {s.zero + x, s.zero - x};
   }
 
-  /// Nodes of a target whose lean may exceed the least possible by `tolerance`.
-  void nodes(const Vec3& up, double tolerance, std::vector<Node>& nodes) const {
+  [[nodiscard]] TiltLaw tiltLaw(const Vec3& up) const {
+    const Vec3 p = R_base_part_ * up;
+    const Vec3 axial = k2_ * k2_.dot(p);
+    const Vec3 parts[] = {axial, p - axial, k2_.cross(p)};
+    const Vec3 along = vertical_ - k1_ * k1_.dot(vertical_);
+    const Vec3 across = along.cross(k1_);
+    TiltLaw law;
+    for (int k = 0; k < 3; ++k) {
+      law.across(k) = across.dot(parts[k]);
+      law.along(k) = along.dot(parts[k]);
+    }
+    return law;
+  }
+
+  /// Nodes of a target that use a part of what it may lean.
+  void nodes(const Vec3& up, double freedom, std::vector<Node>& nodes) const {
+    addNodes(up, freedom, nodes);
+    const TiltLaw law = tiltLaw(up);
+    for (Node& node : nodes) {
+      node.tilt = law.at(node.turn);
+    }
+  }
+
+private:
+  void addNodes(const Vec3& up, double freedom, std::vector<Node>& nodes) const {
     nodes.clear();
     const std::array<double, 2> centres = exact(up);
-    if (!(tolerance > 0.0)) {
+    if (!(freedom > 0.0)) {
       addLifted({centres[0], centres[0]}, {centres[0]}, nodes);
       addLifted({centres[1], centres[1]}, {centres[1]}, nodes);
       return;
@@ -109,8 +153,9 @@ public:
     const auto angle = [](double sine) { return std::asin(std::clamp(sine, -1.0, 1.0)); };
     const double least =
         std::max({0.0, angle(s.offset - s.radius) - level_, level_ - angle(s.offset + s.radius)});
-    const double low = std::sin(std::max(level_ - least - tolerance, -0.5 * kPi)) - s.offset;
-    const double high = std::sin(std::min(level_ + least + tolerance, 0.5 * kPi)) - s.offset;
+    const double most = least + freedom * (allowedVerticalError(params_, least) - least);
+    const double low = std::sin(std::max(level_ - most, -0.5 * kPi)) - s.offset;
+    const double high = std::sin(std::min(level_ + most, 0.5 * kPi)) - s.offset;
     const double inner = high >= s.radius ? 0.0 : std::acos(std::clamp(high / s.radius, -1.0, 1.0));
     const double outer = low <= -s.radius ? kPi : std::acos(std::clamp(low / s.radius, -1.0, 1.0));
     const std::vector<double> both(centres.begin(), centres.end());
@@ -129,7 +174,6 @@ public:
     }
   }
 
-private:
   /// An arc with all its full turns inside the limits.
   void addLifted(const Arc& arc,
                  const std::vector<double>& centres,
@@ -155,19 +199,18 @@ private:
                          const Arc& sampled,
                          const std::vector<double>& centres,
                          std::vector<Node>& nodes) {
-    constexpr double kStep = kTurn / kSamples;
-    for (auto k = static_cast<int>(std::ceil(sampled.low / kStep)); k * kStep <= sampled.high;
-         ++k) {
-      nodes.push_back({k * kStep, arc});
+    for (auto k = static_cast<int>(std::ceil(sampled.low / kSampleStep));
+         k * kSampleStep <= sampled.high; ++k) {
+      nodes.push_back({k * kSampleStep, arc});
     }
     for (const double centre : centres) {
       nodes.push_back({std::clamp(centre, arc.low, arc.high), arc});
     }
   }
 
-  const Cell& cell_;
+  const MotionParams& params_;
   Eigen::Matrix3d R_base_part_;
-  Vec3 k1_, k2_;
+  Vec3 vertical_, k1_, k2_;
   double cosine_ = 0.0;
   double level_ = 0.0;  ///< of the vertical above the plane square to the first axis
   std::optional<Arc> limits_;
@@ -201,6 +244,31 @@ Line lineOf(const std::vector<Target>& targets, const Runs& runs) {
   return line;
 }
 
+/// The tilting axis as far as its speed and its limits matter.
+class Tilt {
+public:
+  explicit Tilt(const cell::Joint& joint)
+      : speed_(joint.maxSpeed),
+        wraps_(joint.endless || joint.max - joint.min >= kTurn),
+        low_(std::min(joint.sign * joint.min, joint.sign * joint.max)),
+        high_(std::max(joint.sign * joint.min, joint.sign * joint.max)) {}
+
+  /// Greatest speed of a step over the axis's.
+  [[nodiscard]] double ratio(double from, double to, double time) const {
+    const double d = wraps_ ? cell::wrapAngle(to - from) : to - from;
+    return std::abs(d) / (speed_ * time);
+  }
+
+  [[nodiscard]] double outside(double tilt) const {
+    return wraps_ ? 0.0 : std::max({0.0, low_ - tilt, tilt - high_});
+  }
+
+private:
+  double speed_;
+  bool wraps_;
+  double low_, high_;
+};
+
 class Planner {
 public:
   Planner(const Cell& cell,
@@ -208,13 +276,11 @@ public:
           const std::vector<Target>& targets,
           const Runs& runs,
           const JobContext& context)
-      : cell_(cell),
-        targets_(targets),
-        runs_(runs),
+      : targets_(targets),
         context_(context),
-        arcs_(cell),
+        arcs_(cell, params),
+        tilt_(cell.joint(cell.robotJoints())),
         line_(lineOf(targets, runs)),
-        tolerance_(params.verticalTolerance.value()),
         speed_(cell.joint(cell.jointCount() - 1).maxSpeed),
         endless_(cell.joint(cell.jointCount() - 1).endless) {}
 
@@ -243,33 +309,39 @@ private:
     fast_.assign(line_.targets.size(), 0);
     bool any = false;
     std::array<double, 2> before{};
+    std::array<double, 2> tiltBefore{};
     for (std::size_t k = 0; k < fast_.size(); ++k) {
-      const std::array<double, 2> now = arcs_.exact(targets_[line_.targets[k]].up);
-      const double most = kSpeedRatio * speed_ * line_.step[k] + kStill;
+      const Vec3& up = targets_[line_.targets[k]].up;
+      const std::array<double, 2> now = arcs_.exact(up);
+      const TiltLaw law = arcs_.tiltLaw(up);
+      const std::array<double, 2> tilt = {law.at(now[0]), law.at(now[1])};
+      const double time = line_.step[k];
+      const double most = kSpeedRatio * speed_ * time + kStill;
       for (std::size_t s = 0; s < 2 && line_.linked[k] != 0; ++s) {
-        if (std::abs(cell::wrapAngle(now[s] - before[s])) > most) {
+        if (std::abs(cell::wrapAngle(now[s] - before[s])) > most ||
+            tilt_.ratio(tiltBefore[s], tilt[s], time) > kSpeedRatio) {
           fast_[k] = 1;
           any = true;
         }
       }
       before = now;
+      tiltBefore = tilt;
     }
     return any;
   }
 
-  /// Tolerance of each target of the line.
-  [[nodiscard]] std::vector<double> tolerances(const Freedom& freedom) const {
+  /// Freedom of each target of the line.
+  [[nodiscard]] std::vector<double> freedoms(const Freedom& freedom) const {
     const double window = freedom.halfTurns * kPi / (kSpeedRatio * speed_);
     std::vector<double> result(fast_.size(), 0.0);
-    const double some = freedom.tolerance * tolerance_;
     double since = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < fast_.size(); ++k) {
       since = fast_[k] != 0 ? 0.0 : since + line_.step[k];
-      result[k] = since <= window ? some : 0.0;
+      result[k] = since <= window ? freedom.part : 0.0;
     }
     double until = std::numeric_limits<double>::infinity();
     for (std::size_t k = fast_.size(); k-- > 0;) {
-      result[k] = until <= window || fast_[k] != 0 ? some : result[k];
+      result[k] = until <= window || fast_[k] != 0 ? freedom.part : result[k];
       until = fast_[k] != 0 ? line_.step[k] : until + line_.step[k];
     }
     return result;
@@ -280,7 +352,7 @@ private:
     std::optional<std::vector<double>> best;
     double bestRatio = 0.0;
     for (const Freedom& freedom : kFreedoms) {
-      const std::optional<std::vector<double>> way = wayWith(tolerances(freedom), awayFrom);
+      const std::optional<std::vector<double>> way = wayWith(freedoms(freedom), awayFrom);
       if (!way) {
         continue;
       }
@@ -296,14 +368,18 @@ private:
     return best;
   }
 
-  /// Greatest speed on a bead over the table's.
+  /// Greatest speed on a bead over what the axis can do, of both axes.
   [[nodiscard]] double fastest(const std::vector<double>& way) const {
     double ratio = 0.0;
-    for (std::size_t k = 1; k < way.size(); ++k) {
+    double tiltBefore = 0.0;
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      const double tilt = arcs_.tiltLaw(targets_[line_.targets[k]].up).at(way[k]);
+      const double time = line_.step[k];
       if (line_.linked[k] != 0) {
-        ratio =
-            std::max(ratio, (std::abs(way[k] - way[k - 1]) - kStill) / (speed_ * line_.step[k]));
+        ratio = std::max({ratio, (std::abs(way[k] - way[k - 1]) - kStill) / (speed_ * time),
+                          tilt_.ratio(tiltBefore, tilt, time)});
       }
+      tiltBefore = tilt;
     }
     return ratio;
   }
@@ -312,8 +388,24 @@ private:
     return endless_ ? cell::wrapAngle(to - from) : to - from;
   }
 
-  /// The way through the nodes with the least ∫ω² dt, as gates, pulled taut.
-  std::optional<std::vector<double>> wayWith(const std::vector<double>& tolerances,
+  /// Price of a step: ∫ω² dt of the table, and of what is too fast. Within a sample turns are free:
+  /// the string is pulled taut later.
+  [[nodiscard]] double stepCost(const Node& from, const Node& to, std::size_t k) const {
+    const double time = line_.step[k];
+    const double d = difference(from.turn, to.turn);
+    double cost = d * d / time;
+    if (line_.linked[k] != 0) {
+      const double aim = kSpeedRatio * speed_ * time;
+      const double turning = std::max(0.0, (std::abs(d) - 0.5 * kSampleStep) / aim - 1.0);
+      const double tilting =
+          std::max(0.0, tilt_.ratio(from.tilt, to.tilt, time) / kSpeedRatio - 1.0);
+      cost += kTooFast * speed_ * speed_ * time * (turning * turning + tilting * tilting);
+    }
+    return cost;
+  }
+
+  /// The way through the nodes with the least price, as gates, pulled taut.
+  std::optional<std::vector<double>> wayWith(const std::vector<double>& freedoms,
                                              const std::optional<double>& awayFrom) const {
     const std::size_t count = line_.targets.size();
     std::vector<std::vector<Node>> nodes(count);
@@ -324,7 +416,7 @@ private:
       if (k % kCheckEvery == 0) {
         context_.check();
       }
-      arcs_.nodes(targets_[line_.targets[k]].up, tolerances[k], nodes[k]);
+      arcs_.nodes(targets_[line_.targets[k]].up, freedoms[k], nodes[k]);
       if (nodes[k].empty()) {
         return std::nullopt;
       }
@@ -332,17 +424,18 @@ private:
       back[k].assign(nodes[k].size(), 0);
       for (std::size_t n = 0; n < nodes[k].size(); ++n) {
         const double turn = nodes[k][n].turn;
+        const double outside = tilt_.outside(nodes[k][n].tilt);
+        const double own = kOutside * speed_ * speed_ * line_.step[k] * outside * outside;
         if (k == 0) {
           const bool far = !awayFrom || std::abs(cell::wrapAngle(turn - *awayFrom)) > 0.5 * kPi;
-          next[n] = far ? 0.0 : kForbidden;
+          next[n] = far ? own : kForbidden;
           continue;
         }
         next[n] = std::numeric_limits<double>::infinity();
         for (std::size_t m = 0; m < cost.size(); ++m) {
-          const double d = difference(nodes[k - 1][m].turn, turn);
-          const double own = cost[m] + d * d / line_.step[k];
-          if (own < next[n]) {
-            next[n] = own;
+          const double whole = cost[m] + own + stepCost(nodes[k - 1][m], nodes[k][n], k);
+          if (whole < next[n]) {
+            next[n] = whole;
             back[k][n] = static_cast<std::uint16_t>(m);
           }
         }
@@ -378,13 +471,11 @@ private:
   static constexpr double kStill = 1e-9;
   static constexpr double kForbidden = 1e30;
 
-  const Cell& cell_;
   const std::vector<Target>& targets_;
-  const Runs& runs_;
   const JobContext& context_;
   Arcs arcs_;
+  Tilt tilt_;
   Line line_;
-  double tolerance_;
   double speed_;
   bool endless_;
   std::vector<char> fast_;

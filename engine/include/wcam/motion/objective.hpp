@@ -43,7 +43,7 @@ enum class Constraint {
   Speed,        ///< joint speeds at the wanted speed
   Dexterity,    ///< minDexterity
   Singularity,  ///< wrist, elbow and shoulder margins
-  Vertical,     ///< verticalTolerance above what the positioner can do at best
+  Vertical,     ///< verticalTolerance, where the positioner cannot hold it: that above its best
   Cable,        ///< cableLimit
   Tilt          ///< tiltTolerance
 };
