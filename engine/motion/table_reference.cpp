@@ -6,9 +6,9 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/cell/angles.hpp"
 
+#include "table_arcs.hpp"
 #include "table_axis.hpp"
 #include "taut_string.hpp"
-#include "vertical_tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +20,6 @@ namespace wcam::motion::detail {
 
 namespace {
 
-constexpr double kTurn = 2.0 * kPi;
-/// Samples of a turn of the table, besides the exact solutions. They only choose between ways.
-constexpr int kSamples = 144;
-constexpr double kSampleStep = kTurn / kSamples;
-/// Axes that are parallel to within this sine have no arcs.
-constexpr double kParallel = 1e-3;
-/// Radius (of sines) below which a direction has no azimuth about the table's axis.
-constexpr double kNoAzimuth = 1e-12;
 /// Repeated points pass in this time, s.
 constexpr double kNoTime = 1e-9;
 /// Part of the greatest speeds of both axes that is aimed at: the rest is left to what the search
@@ -39,7 +31,7 @@ constexpr double kTooFast = 1e4;
 /// Price of the squared excess of a limited tilt (rad), the same way: a degree outweighs the
 /// fastest turn that a direction may ask for.
 constexpr double kOutside = 1e10;
-constexpr std::size_t kCheckEvery = 1024;
+constexpr std::size_t kCheckEvery = 256;
 
 /// How much freedom: a part of what the build direction may lean above the least, within a time of
 /// the fast steps (in units of the time of half a turn).
@@ -49,172 +41,6 @@ struct Freedom {
 };
 
 constexpr Freedom kFreedoms[] = {{0.3, 1.0}, {0.6, 1.0}, {0.9, 1.0}, {0.9, 4.0}, {0.97, 4.0}};
-
-/// Turns of the table, [low, high].
-struct Arc {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-struct Node {
-  double turn = 0.0;
-  Arc arc;
-  double tilt = 0.0;
-};
-
-/// The best tilt for a turn: the angle of the vector with these components, both a constant and
-/// the factors of the turn's cosine and sine.
-struct TiltLaw {
-  Vec3 across, along;
-
-  [[nodiscard]] double at(double turn) const {
-    const Vec3 factors(1.0, std::cos(turn), std::sin(turn));
-    return std::atan2(across.dot(factors), along.dot(factors));
-  }
-};
-
-/// Where the table may stand at a target.
-class Arcs {
-public:
-  Arcs(const Cell& cell, const MotionParams& params)
-      : params_(params), vertical_(cell.verticalInBase()) {
-    const PositionerValues zero{};
-    const cell::ChainAxes axes = cell::chainAxes(cell.positioner, zero.data());
-    R_base_part_ = axes.T_root_tip.linear() * cell.T_table_part.linear();
-    k1_ = axes.directions[0];
-    k2_ = axes.directions[1];
-    cosine_ = k1_.dot(k2_);
-    level_ = std::asin(std::clamp(k1_.dot(vertical_), -1.0, 1.0));
-    const cell::Joint& last = cell.joint(cell.jointCount() - 1);
-    if (!last.endless) {
-      limits_ = Arc{std::min(last.sign * last.min, last.sign * last.max),
-                    std::max(last.sign * last.min, last.sign * last.max)};
-    }
-  }
-
-  [[nodiscard]] bool parallel() const { return k1_.cross(k2_).norm() < kParallel; }
-
-  /// The component of `up` along the first axis is offset + radius·cos(ψ − zero).
-  struct Swing {
-    double offset, radius, zero;
-  };
-
-  [[nodiscard]] Swing swing(const Vec3& up) const {
-    const Vec3 p = R_base_part_ * up;
-    const Vec3 from = p - k2_ * k2_.dot(p);
-    const Vec3 to = k1_ - k2_ * cosine_;
-    return {cosine_ * k2_.dot(p), from.norm() * to.norm(),
-            std::atan2(k2_.dot(from.cross(to)), from.dot(to))};
-  }
-
-  /// Both exact solutions.
-  [[nodiscard]] std::array<double, 2> exact(const Vec3& up) const {
-    const Swing s = swing(up);
-    const double x =
-        s.radius > kNoAzimuth
-            ? std::acos(std::clamp((std::sin(level_) - s.offset) / s.radius, -1.0, 1.0))
-            : 0.5 * kPi;
-    return {s.zero + x, s.zero - x};
-  }
-
-  [[nodiscard]] TiltLaw tiltLaw(const Vec3& up) const {
-    const Vec3 p = R_base_part_ * up;
-    const Vec3 axial = k2_ * k2_.dot(p);
-    const Vec3 parts[] = {axial, p - axial, k2_.cross(p)};
-    const Vec3 along = vertical_ - k1_ * k1_.dot(vertical_);
-    const Vec3 across = along.cross(k1_);
-    TiltLaw law;
-    for (int k = 0; k < 3; ++k) {
-      law.across(k) = across.dot(parts[k]);
-      law.along(k) = along.dot(parts[k]);
-    }
-    return law;
-  }
-
-  /// Nodes of a target that use a part of what it may lean.
-  void nodes(const Vec3& up, double freedom, std::vector<Node>& nodes) const {
-    addNodes(up, freedom, nodes);
-    const TiltLaw law = tiltLaw(up);
-    for (Node& node : nodes) {
-      node.tilt = law.at(node.turn);
-    }
-  }
-
-private:
-  void addNodes(const Vec3& up, double freedom, std::vector<Node>& nodes) const {
-    nodes.clear();
-    const std::array<double, 2> centres = exact(up);
-    if (!(freedom > 0.0)) {
-      addLifted({centres[0], centres[0]}, {centres[0]}, nodes);
-      addLifted({centres[1], centres[1]}, {centres[1]}, nodes);
-      return;
-    }
-    const Swing s = swing(up);
-    const auto angle = [](double sine) { return std::asin(std::clamp(sine, -1.0, 1.0)); };
-    const double least =
-        std::max({0.0, angle(s.offset - s.radius) - level_, level_ - angle(s.offset + s.radius)});
-    const double most = least + freedom * (allowedVerticalError(params_, least) - least);
-    const double low = std::sin(std::max(level_ - most, -0.5 * kPi)) - s.offset;
-    const double high = std::sin(std::min(level_ + most, 0.5 * kPi)) - s.offset;
-    const double inner = high >= s.radius ? 0.0 : std::acos(std::clamp(high / s.radius, -1.0, 1.0));
-    const double outer = low <= -s.radius ? kPi : std::acos(std::clamp(low / s.radius, -1.0, 1.0));
-    const std::vector<double> both(centres.begin(), centres.end());
-    if (inner == 0.0 && outer == kPi) {
-      constexpr double kEndless = 1e3;
-      const Arc all = limits_ ? *limits_ : Arc{-kEndless, kEndless};
-      addSampled(all, limits_ ? all : Arc{0.0, kTurn * (1.0 - 0.5 / kSamples)}, {}, nodes);
-    } else if (inner == 0.0) {
-      addLifted({s.zero - outer, s.zero + outer}, both, nodes);
-    } else if (outer == kPi) {
-      // Around the far side.
-      addLifted({s.zero + inner, s.zero + kTurn - inner}, {centres[0], centres[1] + kTurn}, nodes);
-    } else {
-      addLifted({s.zero + inner, s.zero + outer}, {centres[0]}, nodes);
-      addLifted({s.zero - outer, s.zero - inner}, {centres[1]}, nodes);
-    }
-  }
-
-  /// An arc with all its full turns inside the limits.
-  void addLifted(const Arc& arc,
-                 const std::vector<double>& centres,
-                 std::vector<Node>& nodes) const {
-    if (!limits_) {
-      addSampled(arc, arc, centres, nodes);
-      return;
-    }
-    const auto first = static_cast<int>(std::ceil((limits_->low - arc.high) / kTurn));
-    const auto last = static_cast<int>(std::floor((limits_->high - arc.low) / kTurn));
-    for (int k = first; k <= last; ++k) {
-      const Arc own{std::max(arc.low + k * kTurn, limits_->low),
-                    std::min(arc.high + k * kTurn, limits_->high)};
-      std::vector<double> lifted = centres;
-      for (double& centre : lifted) {
-        centre += k * kTurn;
-      }
-      addSampled(own, own, lifted, nodes);
-    }
-  }
-
-  static void addSampled(const Arc& arc,
-                         const Arc& sampled,
-                         const std::vector<double>& centres,
-                         std::vector<Node>& nodes) {
-    for (auto k = static_cast<int>(std::ceil(sampled.low / kSampleStep));
-         k * kSampleStep <= sampled.high; ++k) {
-      nodes.push_back({k * kSampleStep, arc});
-    }
-    for (const double centre : centres) {
-      nodes.push_back({std::clamp(centre, arc.low, arc.high), arc});
-    }
-  }
-
-  const MotionParams& params_;
-  Eigen::Matrix3d R_base_part_;
-  Vec3 vertical_, k1_, k2_;
-  double cosine_ = 0.0;
-  double level_ = 0.0;  ///< of the vertical above the plane square to the first axis
-  std::optional<Arc> limits_;
-};
 
 /// Targets on beads in order, with the times at the wanted speeds.
 struct Line {
@@ -249,7 +75,7 @@ class Tilt {
 public:
   explicit Tilt(const cell::Joint& joint)
       : speed_(joint.maxSpeed),
-        wraps_(joint.endless || joint.max - joint.min >= kTurn),
+        wraps_(joint.endless || joint.max - joint.min >= 2.0 * kPi),
         low_(std::min(joint.sign * joint.min, joint.sign * joint.max)),
         high_(std::max(joint.sign * joint.min, joint.sign * joint.max)) {}
 
@@ -388,55 +214,96 @@ private:
     return endless_ ? cell::wrapAngle(to - from) : to - from;
   }
 
+  /// A step of the line between stops of the way.
+  struct Step {
+    double time = 0.0;
+    bool linked = false;
+  };
+
   /// Price of a step: ∫ω² dt of the table, and of what is too fast. Within a sample turns are free:
   /// the string is pulled taut later.
-  [[nodiscard]] double stepCost(const Node& from, const Node& to, std::size_t k) const {
-    const double time = line_.step[k];
+  [[nodiscard]] double stepCost(const TableNode& from,
+                                const TableNode& to,
+                                const Step& step) const {
     const double d = difference(from.turn, to.turn);
-    double cost = d * d / time;
-    if (line_.linked[k] != 0) {
-      const double aim = kSpeedRatio * speed_ * time;
-      const double turning = std::max(0.0, (std::abs(d) - 0.5 * kSampleStep) / aim - 1.0);
+    double cost = d * d / step.time;
+    if (step.linked) {
+      const double aim = kSpeedRatio * speed_ * step.time;
+      const double turning = std::max(0.0, (std::abs(d) - 0.5 * kTurnSample) / aim - 1.0);
       const double tilting =
-          std::max(0.0, tilt_.ratio(from.tilt, to.tilt, time) / kSpeedRatio - 1.0);
-      cost += kTooFast * speed_ * speed_ * time * (turning * turning + tilting * tilting);
+          std::max(0.0, tilt_.ratio(from.tilt, to.tilt, step.time) / kSpeedRatio - 1.0);
+      cost += kTooFast * speed_ * speed_ * step.time * (turning * turning + tilting * tilting);
     }
     return cost;
   }
 
+  /// Places of the line at which the way is chosen. Of those of a bead that leave the table free
+  /// only the first and the last matter: what is best between these is straight.
+  [[nodiscard]] std::vector<std::size_t> stopsOf(const std::vector<double>& freedoms) const {
+    const std::size_t count = line_.targets.size();
+    std::vector<char> any(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      any[k] = arcs_.anyTurn(targets_[line_.targets[k]].up, freedoms[k]) ? 1 : 0;
+    }
+    std::vector<std::size_t> stops;
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool inside = k > 0 && k + 1 < count && line_.linked[k] != 0 &&
+                          line_.linked[k + 1] != 0 && any[k - 1] != 0 && any[k] != 0 &&
+                          any[k + 1] != 0;
+      if (!inside) {
+        stops.push_back(k);
+      }
+    }
+    return stops;
+  }
+
+  /// The nodes of a stop and which node before the best way to each of them comes from.
+  struct Stop {
+    std::vector<TableNode> nodes;
+    std::vector<std::uint16_t> back;
+  };
+
   /// The way through the nodes with the least price, as gates, pulled taut.
   std::optional<std::vector<double>> wayWith(const std::vector<double>& freedoms,
                                              const std::optional<double>& awayFrom) const {
-    const std::size_t count = line_.targets.size();
-    std::vector<std::vector<Node>> nodes(count);
-    std::vector<std::vector<std::uint16_t>> back(count);
+    const std::vector<std::size_t> places = stopsOf(freedoms);
+    std::vector<Stop> stops(places.size());
     std::vector<double> cost;
     std::vector<double> next;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (k % kCheckEvery == 0) {
+    Step step;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      if (p % kCheckEvery == 0) {
         context_.check();
       }
-      arcs_.nodes(targets_[line_.targets[k]].up, freedoms[k], nodes[k]);
-      if (nodes[k].empty()) {
+      const std::size_t place = places[p];
+      Stop& stop = stops[p];
+      arcs_.nodes(targets_[line_.targets[place]].up, freedoms[place], stop.nodes);
+      if (stop.nodes.empty()) {
         return std::nullopt;
       }
-      next.assign(nodes[k].size(), 0.0);
-      back[k].assign(nodes[k].size(), 0);
-      for (std::size_t n = 0; n < nodes[k].size(); ++n) {
-        const double turn = nodes[k][n].turn;
-        const double outside = tilt_.outside(nodes[k][n].tilt);
-        const double own = kOutside * speed_ * speed_ * line_.step[k] * outside * outside;
-        if (k == 0) {
-          const bool far = !awayFrom || std::abs(cell::wrapAngle(turn - *awayFrom)) > 0.5 * kPi;
+      step.time = 0.0;
+      for (std::size_t k = p == 0 ? 0 : places[p - 1] + 1; k <= place; ++k) {
+        step.time += line_.step[k];
+      }
+      step.linked = line_.linked[place] != 0;
+      next.assign(stop.nodes.size(), 0.0);
+      stop.back.assign(stop.nodes.size(), 0);
+      for (std::size_t n = 0; n < stop.nodes.size(); ++n) {
+        const TableNode& node = stop.nodes[n];
+        const double outside = tilt_.outside(node.tilt);
+        const double own = kOutside * speed_ * speed_ * step.time * outside * outside;
+        if (p == 0) {
+          const bool far =
+              !awayFrom || std::abs(cell::wrapAngle(node.turn - *awayFrom)) > 0.5 * kPi;
           next[n] = far ? own : kForbidden;
           continue;
         }
         next[n] = std::numeric_limits<double>::infinity();
         for (std::size_t m = 0; m < cost.size(); ++m) {
-          const double whole = cost[m] + own + stepCost(nodes[k - 1][m], nodes[k][n], k);
+          const double whole = cost[m] + own + stepCost(stops[p - 1].nodes[m], node, step);
           if (whole < next[n]) {
             next[n] = whole;
-            back[k][n] = static_cast<std::uint16_t>(m);
+            stop.back[n] = static_cast<std::uint16_t>(m);
           }
         }
       }
@@ -446,23 +313,28 @@ private:
     if (cost[n] >= kForbidden) {
       return std::nullopt;
     }
-    std::vector<const Node*> chosen(count);
-    for (std::size_t k = count; k-- > 0;) {
-      chosen[k] = &nodes[k][n];
-      n = back[k][n];
+    std::vector<const TableNode*> chosen(line_.targets.size(), nullptr);
+    for (std::size_t p = places.size(); p-- > 0;) {
+      chosen[places[p]] = &stops[p].nodes[n];
+      n = stops[p].back[n];
     }
     return taut(chosen);
   }
 
-  [[nodiscard]] std::vector<double> taut(const std::vector<const Node*>& chosen) const {
+  /// @param chosen the nodes at the stops; null between them, where any turn will do
+  [[nodiscard]] std::vector<double> taut(const std::vector<const TableNode*>& chosen) const {
     std::vector<Gate> gates(chosen.size());
     double time = 0.0;
     double turn = chosen.front()->turn;
     for (std::size_t k = 0; k < gates.size(); ++k) {
-      const Node& node = *chosen[k];
       time += line_.step[k];
-      turn += k == 0 ? 0.0 : difference(turn, node.turn);
-      gates[k] = {time, node.arc.low + (turn - node.turn), node.arc.high + (turn - node.turn)};
+      const TableNode* node = chosen[k];
+      TableArc arc = arcs_.everything(turn);
+      if (node != nullptr) {
+        turn += k == 0 ? 0.0 : difference(turn, node->turn);
+        arc = {node->arc.low + (turn - node->turn), node->arc.high + (turn - node->turn)};
+      }
+      gates[k] = {time, arc.low, arc.high};
     }
     return tautString(gates);
   }
@@ -473,7 +345,7 @@ private:
 
   const std::vector<Target>& targets_;
   const JobContext& context_;
-  Arcs arcs_;
+  TableArcs arcs_;
   Tilt tilt_;
   Line line_;
   double speed_;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace wcam::motion::detail {
 namespace {
@@ -162,6 +163,23 @@ TEST(TableReference, KeepsALimitedTableInside) {
     EXPECT_EQ(planned.excess(reference), 0.0);
     EXPECT_LE(planned.greatestLean(reference), degToRad(1.0));
   }
+}
+
+TEST(TableReference, StandsStillWhereTheDirectionsAreUprightButForNoise) {
+  // The exact turn is then noise.
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 1e-7);
+  toolpath::Bead bead = passage(0.0, 5.0, 1000.0);
+  for (toolpath::PathPoint& point : bead.points) {
+    point.up = Vec3(noise(random), noise(random), 1.0).normalized();
+    point.axis = point.up;
+  }
+  const Planned planned(shippedCell(kCell), {bead, bead, bead});
+  EXPECT_GT(planned.speedRatio(planned.aligned, 1), 1.0);
+  ASSERT_FALSE(planned.references.empty());
+  EXPECT_LT(planned.speedRatio(planned.references[0], 0), 1e-3);
+  EXPECT_LT(planned.speedRatio(planned.references[0], 1), 1e-3);
+  EXPECT_LE(planned.greatestLean(planned.references[0]), degToRad(1.0));
 }
 
 TEST(TableReference, TurnsTheTableWhereTheTiltIsLimited) {
