@@ -9,6 +9,7 @@
 #include "dialogs.hpp"
 #include "main_window.hpp"
 #include "node_form.hpp"
+#include "pdf_report.hpp"
 #include "placing.hpp"
 #include "widgets/text.hpp"
 
@@ -475,7 +476,7 @@ void MainWindow::saveReport() {
   const std::filesystem::path base = session_->base();
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save report"), qt(pathText(base.parent_path() / (base.stem().string() + ".html"))),
-      tr("Web pages (*.html)"));
+      tr("Web pages (*.html);;PDF documents (*.pdf)"));
   if (!file.isEmpty()) {
     writeReport(pathFromText(utf8(file)));
   }
@@ -501,7 +502,13 @@ void MainWindow::writeReport(const std::filesystem::path& file) {
          const project::RunResult result = project::runProject(pipeline, request, context);
          std::string html = project::htmlReport(pipeline.document(), result);
          html.insert(std::min(html.rfind("</body>"), html.size()), picture);
-         writeFileAtomically(file, html);
+         if (file.extension() == ".pdf") {
+           const QByteArray pdf = pdfReport(html);
+           writeFileAtomically(
+               file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
+         } else {
+           writeFileAtomically(file, html);
+         }
        },
        [this, file](const std::optional<Error>& error) {
          if (!error) {

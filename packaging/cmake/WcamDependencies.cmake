@@ -28,7 +28,7 @@ if(WCAM_BUILD_GUI)
   if(NOT WCAM_BUILD_GUI STREQUAL "AUTO")
     set(wcam_gui_required REQUIRED)
   endif()
-  find_package(Qt6 6.4 ${wcam_gui_required} COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets LinguistTools)
+  find_package(Qt6 6.4 ${wcam_gui_required} COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
   find_package(VTK 9.1 ${wcam_gui_required} COMPONENTS
     CommonCore CommonDataModel CommonMath FiltersCore FiltersSources IOImage RenderingAnnotation RenderingCore
     RenderingFreeType RenderingOpenGL2)
