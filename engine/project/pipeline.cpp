@@ -22,7 +22,7 @@ constexpr int kSliceVersion = 2;
 constexpr int kPathVersion = 1;
 constexpr int kProcessVersion = 1;
 constexpr int kCellVersion = 2;
-constexpr int kMotionVersion = 2;
+constexpr int kMotionVersion = 3;
 constexpr int kProgramVersion = 1;
 
 std::string placementText(const Placement& placement) {
