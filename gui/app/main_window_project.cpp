@@ -412,16 +412,16 @@ void MainWindow::copyNode() {
   }
   const QByteArray text = QByteArray::fromStdString(
       toCanonicalJson(Value::object({{"list", node.list}, {"node", *value}})));
-  auto* data = new QMimeData;
-  data->setData(kNodeFormat, text);
-  data->setText(QString::fromUtf8(text));
-  QApplication::clipboard()->setMimeData(data);
+  auto* mime = new QMimeData;
+  mime->setData(kNodeFormat, text);
+  mime->setText(QString::fromUtf8(text));
+  QApplication::clipboard()->setMimeData(mime);
 }
 
 void MainWindow::pasteNode() {
-  const QMimeData* data = QApplication::clipboard()->mimeData();
+  const QMimeData* mime = QApplication::clipboard()->mimeData();
   const QByteArray text =
-      data->hasFormat(kNodeFormat) ? data->data(kNodeFormat) : data->text().toUtf8();
+      mime->hasFormat(kNodeFormat) ? mime->data(kNodeFormat) : mime->text().toUtf8();
   try {
     const Value copied = parseJson(text.toStdString(), "clipboard");
     const std::string list = copied.at("list").asString();

@@ -5,6 +5,7 @@
 
 #include "wcam/base/error.hpp"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QImage>
 #include <QPageLayout>
@@ -13,15 +14,23 @@
 #include <QRegularExpression>
 #include <QSvgRenderer>
 #include <QTextDocument>
+#include <QThread>
 #include <QUrl>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
 
 namespace wcam::gui {
 
 namespace {
 
 constexpr int kDotsPerInch = 300;
-/// Qt lays text out in dots of the device; its pictures keep this width on an A4 page.
-constexpr double kPictureWidth = 170.0 / 25.4 * kDotsPerInch;
+/// Width of the text on an A4 page, and that of a picture in dots and in the pixels of HTML.
+constexpr double kTextWidth = 170.0 / 25.4;
+constexpr double kPictureWidth = kTextWidth * kDotsPerInch;
+constexpr double kHtmlWidth = kTextWidth * 96.0;
+constexpr double kMostHeight = 110.0 / 25.4 * 96.0;  ///< of a picture
 constexpr int kColumns = 4;
 
 /// Text documents know neither variables nor grids: the page's own style does not serve them.
@@ -85,9 +94,7 @@ QString figureTable(const QString& boxes) {
   return cells + "</tr></table>";
 }
 
-}  // namespace
-
-QByteArray pdfReport(const std::string& html) {
+QByteArray print(const std::string& html) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -107,7 +114,12 @@ QByteArray pdfReport(const std::string& html) {
   const auto addPicture = [&](const QImage& image) {
     const QString name = QString("wcam:picture%1").arg(count++);
     document.addResource(QTextDocument::ImageResource, QUrl(name), image);
-    return QString("<p><img src=\"%1\" width=\"%2\"/></p>").arg(name).arg(kPictureWidth);
+    const double high = kHtmlWidth * image.height() / std::max(image.width(), 1);
+    const double scale = std::min(1.0, kMostHeight / high);
+    return QString("<p><img src=\"%1\" width=\"%2\" height=\"%3\"/></p>")
+        .arg(name)
+        .arg(scale * kHtmlWidth)
+        .arg(scale * high);
   };
   page = replaced(page, "<svg .*</svg>",
                   [&](const auto& match) { return addPicture(plotPicture(match.captured(0))); });
@@ -116,12 +128,34 @@ QByteArray pdfReport(const std::string& html) {
         QImage::fromData(QByteArray::fromBase64(match.captured(1).toLatin1()), "PNG"));
   });
   page.replace("<summary>", "<h3>").replace("</summary>", "</h3>");
+  page.replace("<table>", "<table width=\"100%\" cellpadding=\"2\">");
   document.setDefaultStyleSheet(kPageStyle);
   document.setHtml(page);
   document.setPageSize(QSizeF(writer.width(), writer.height()));
   document.print(&writer);
   if (bytes.isEmpty()) {
     throw Error(ErrorCode::Internal, "the report cannot be printed");
+  }
+  return bytes;
+}
+
+}  // namespace
+
+QByteArray pdfReport(const std::string& html) {
+  // The layout of text wants a thread of Qt's own.
+  QByteArray bytes;
+  std::exception_ptr failed;
+  const std::unique_ptr<QThread> thread(QThread::create([&] {
+    try {
+      bytes = print(html);
+    } catch (...) {
+      failed = std::current_exception();
+    }
+  }));
+  thread->start();
+  thread->wait();
+  if (failed) {
+    std::rethrow_exception(failed);
   }
   return bytes;
 }

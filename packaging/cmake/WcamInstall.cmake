@@ -18,9 +18,11 @@ if(TARGET camcli)
   # From the option table of the program that was just built.
   set(completion "${PROJECT_BINARY_DIR}/package/completion")
   file(MAKE_DIRECTORY "${completion}")
-  add_custom_command(TARGET camcli POST_BUILD VERBATIM
+  add_custom_command(OUTPUT "${completion}/camcli" "${completion}/_camcli" VERBATIM
     COMMAND camcli completion bash > "${completion}/camcli"
-    COMMAND camcli completion zsh > "${completion}/_camcli")
+    COMMAND camcli completion zsh > "${completion}/_camcli"
+    DEPENDS camcli)
+  add_custom_target(wcam_completion ALL DEPENDS "${completion}/camcli" "${completion}/_camcli")
   install(FILES "${completion}/camcli" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT cli)
   install(FILES "${completion}/_camcli" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" COMPONENT cli)
 endif()
