@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -40,14 +41,21 @@ public:
     QObject::connect(&timer_, &QTimer::timeout, [this] {
       const double gap = 1e-6 * static_cast<double>(clock_.nsecsElapsed());
       clock_.restart();
-      worst_ = std::max(worst_, gap);
+      const double cpu = threadMilliseconds();
+      if (gap > worst_) {
+        worst_ = gap;
+        worstCpu_ = cpu - cpu_;
+      }
+      cpu_ = cpu;
       late_ += gap > kLate ? 1 : 0;
     });
   }
 
   void start() {
     worst_ = 0.0;
+    worstCpu_ = 0.0;
     late_ = 0;
+    cpu_ = threadMilliseconds();
     clock_.start();
     timer_.start();
   }
@@ -56,14 +64,25 @@ public:
 
   [[nodiscard]] double worst() const { return worst_; }
 
+  /// Of the worst: what this thread worked itself; the rest it waited for a processor or a lock.
+  [[nodiscard]] double worstCpu() const { return worstCpu_; }
+
   [[nodiscard]] int late() const { return late_; }
 
   static constexpr double kLate = 100.0;  ///< ms, the goal
 
 private:
+  static double threadMilliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+  }
+
   QTimer timer_;
   QElapsedTimer clock_;
   double worst_ = 0.0;  ///< ms
+  double worstCpu_ = 0.0;
+  double cpu_ = 0.0;
   int late_ = 0;
 };
 
@@ -178,10 +197,9 @@ void benchMillionTriangles(const std::shared_ptr<const wcam::plugin::PluginHost>
   watchdog.stop();
   std::printf(
       "a million triangles: %d layers after %.2f s; the event loop stood still for %.0f ms at "
-      "most, "
-      "%d times above %.0f ms\n",
+      "most (%.0f ms of it own work), %d times above %.0f ms\n",
       window.viewState().layerCount(), 1e-3 * static_cast<double>(clock.elapsed()),
-      watchdog.worst(), watchdog.late(), Watchdog::kLate);
+      watchdog.worst(), watchdog.worstCpu(), watchdog.late(), Watchdog::kLate);
 }
 
 void benchMillionPoints(const std::shared_ptr<const wcam::plugin::PluginHost>& plugins,
