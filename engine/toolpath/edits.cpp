@@ -138,6 +138,14 @@ Toolpath applyEdits(const Toolpath& path,
     edited = applyEdit(edited, edits[i], zones, context);
     context.report(static_cast<double>(i + 1) / static_cast<double>(edits.size()));
   }
+  if (edited.beadCount() == 0 && path.beadCount() > 0) {
+    context.add({Severity::Warning,
+                 "edit.nothing_left",
+                 "the edits leave no layer to build",
+                 "leave out one of the edits that delete layers",
+                 {},
+                 {{"layers_before", static_cast<double>(path.layers.size())}}});
+  }
   return edited;
 }
 
