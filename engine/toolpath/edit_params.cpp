@@ -188,13 +188,13 @@ Schema<EditParams> repeatSchema() {
   return schema;
 }
 
-void addMode(Schema<EditParams>& schema, const char* value) {
+void addMode(Schema<EditParams>& schema, const ParamChoice& value) {
   schema
       .add(&EditParams::mode,
            {.key = "mode",
             .label = "Change",
             .group = "Change",
-            .choices = {{"factor", "By a factor of what is planned"}, {"value", value}}})
+            .choices = {{"factor", "By a factor of what is planned"}, value}})
       .add(&EditParams::factor,
            {.key = "factor",
             .label = "Factor",
@@ -208,7 +208,7 @@ void addMode(Schema<EditParams>& schema, const char* value) {
 
 Schema<EditParams> speedSchema() {
   Schema<EditParams> schema = selectionSchema(true, true);
-  addMode(schema, "To a travel speed");
+  addMode(schema, {"value", "To a travel speed"});
   schema
       .add(&EditParams::speed, {.key = "speed",
                                 .label = "Travel speed",
@@ -229,7 +229,7 @@ Schema<EditParams> speedSchema() {
 
 Schema<EditParams> wireSchema() {
   Schema<EditParams> schema = selectionSchema(true, true);
-  addMode(schema, "To a wire feed speed");
+  addMode(schema, {"value", "To a wire feed speed"});
   schema
       .add(&EditParams::wireSpeed, {.key = "wire_speed",
                                     .label = "Wire feed speed",
@@ -272,7 +272,6 @@ Schema<EditParams> pauseSchema() {
   return schema;
 }
 
-/// How the axis leans.
 Schema<EditParams> tiltSchema(const char* help) {
   Schema<EditParams> schema = selectionSchema(true, true);
   schema

@@ -136,7 +136,7 @@ Edit readEdit(const std::string& id, EditType type, const Value& params);
 ///
 /// @param zones what stands at the ends of beads, as in buildToolpath
 /// Findings: edit.selects_nothing, edit.range_clipped, edit.layer_gap, edit.repeat_turns,
-/// edit.tilt_limited; each names the edit.
+/// edit.tilt_limited, edit.nothing_left; they name the edit.
 /// Cost: linear in points; delete_layers and repeat_layers also O(n log n) of a few layers.
 Toolpath applyEdit(const Toolpath& path,
                    const Edit& edit,
