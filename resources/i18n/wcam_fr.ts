@@ -1872,7 +1872,7 @@
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Temps</translation>
+        <translation>Durée</translation>
     </message>
     <message>
         <source>To</source>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Id</source>
-        <translation type="unfinished">Identifiant</translation>
+        <translation>Identifiant</translation>
     </message>
 </context>
 <context>
