@@ -40,8 +40,8 @@ const project::OperationEdit& editOf(const project::Operation& operation, const 
     ids.push_back(edit.id);
   }
   const auto near = nearestName(id, ids);
-  throw Error(ErrorCode::InvalidArgument, "operation '" + operation.id + "' has no edit '" + id + "'",
-              {},
+  throw Error(ErrorCode::InvalidArgument,
+              "operation '" + operation.id + "' has no edit '" + id + "'", {},
               near          ? "did you mean '" + *near + "'?"
               : ids.empty() ? "there is none yet; `camcli edit add` adds one"
                             : "edits: " + joinText(ids, ", "));
@@ -81,8 +81,8 @@ Value changedParams(toolpath::EditType type,
         params.set(key, schema.parse(key, text));
       }
     } catch (const Error& error) {
-      problems.push_back({key, error.message() + (error.hint().empty() ? "" : "; " + error.hint()),
-                          false});
+      problems.push_back(
+          {key, error.message() + (error.hint().empty() ? "" : "; " + error.hint()), false});
     }
   }
   throwProblems(problems, ErrorCode::InvalidArgument, "--set");
@@ -155,8 +155,9 @@ int editListVerb(const Session& session) {
       text += "\n";
     }
   }
-  std::fputs((session.options.json ? toCanonicalJson(Value::object({{"edits", list}})) : text).c_str(),
-             stdout);
+  std::fputs(
+      (session.options.json ? toCanonicalJson(Value::object({{"edits", list}})) : text).c_str(),
+      stdout);
   return 0;
 }
 
@@ -167,8 +168,9 @@ int editTypesVerb(const Session& session) {
     list.push(Value::object({{"type", info.key}, {"name", info.name}, {"summary", info.summary}}));
     text += std::string(info.key) + "  " + info.summary + "\n";
   }
-  std::fputs((session.options.json ? toCanonicalJson(Value::object({{"types", list}})) : text).c_str(),
-             stdout);
+  std::fputs(
+      (session.options.json ? toCanonicalJson(Value::object({{"types", list}})) : text).c_str(),
+      stdout);
   return 0;
 }
 

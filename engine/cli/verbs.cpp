@@ -117,10 +117,10 @@ struct EngineSchema {
 
 std::vector<EngineSchema> engineSchemas() {
   std::vector<EngineSchema> schemas = {
-          {"import", "Import of a part", io::importOptionsSchema().params()},
-          {"motion", "Motion of an operation", motion::MotionParams::schema().params()},
-          {"path", "Path of an operation", toolpath::PathParams::schema().params()},
-          {"process", "Deposition process", process::ProcessParams::schema().params()}};
+      {"import", "Import of a part", io::importOptionsSchema().params()},
+      {"motion", "Motion of an operation", motion::MotionParams::schema().params()},
+      {"path", "Path of an operation", toolpath::PathParams::schema().params()},
+      {"process", "Deposition process", process::ProcessParams::schema().params()}};
   for (const toolpath::EditTypeInfo& info : toolpath::editTypes()) {
     schemas.push_back({std::string("edit.") + info.key, std::string("Edit: ") + info.name,
                        toolpath::editSchema(info.type).params()});

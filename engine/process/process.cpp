@@ -211,8 +211,7 @@ Wanted wantedAt(const toolpath::PathPoint& point, const ProcessParams& params) {
 /// The bead takes the width that speed and wire make of its height.
 void followWidth(toolpath::PathPoint& point, const Wanted& wanted, const ProcessParams& params) {
   if (point.change.section == toolpath::SectionRule::Width && point.height > 0.0) {
-    const double speed =
-        std::clamp(wanted.speed, params.speedMin.value(), params.speedMax.value());
+    const double speed = std::clamp(wanted.speed, params.speedMin.value(), params.speedMax.value());
     point.width = widthOfSection(wireArea(params) * wanted.wire / speed, point.height);
   }
 }
@@ -232,10 +231,8 @@ struct Starved {
     if (at.change.section != toolpath::SectionRule::Width || !(at.height > 0.0)) {
       return;
     }
-    const double speed =
-        std::clamp(wanted.speed, params.speedMin.value(), params.speedMax.value());
-    const double part =
-        wireArea(params) * wanted.wire / speed / wallSection(at.height, at.height);
+    const double speed = std::clamp(wanted.speed, params.speedMin.value(), params.speedMax.value());
+    const double part = wireArea(params) * wanted.wire / speed / wallSection(at.height, at.height);
     if (part >= 1.0) {
       return;
     }
@@ -252,8 +249,7 @@ struct Starved {
       constexpr double kPercent = 100.0;
       context.add({Severity::Warning,
                    "process.section_too_small",
-                   std::to_string(count) + " points get only " +
-                       formatFixed(kPercent * worst, 0) +
+                   std::to_string(count) + " points get only " + formatFixed(kPercent * worst, 0) +
                        " % or more of the wire that the narrowest bead of their height needs",
                    "lower the speed or raise the wire feed in the edit, or let the other follow",
                    {{}, layer, bead, point},
@@ -341,7 +337,8 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
         const double wanted = travelSpeed(point.height, point.width, params);
         const bool planned = point.change.section == toolpath::SectionRule::Plan;
         s.clampedPoints +=
-            planned && (wanted < params.speedMin.value() || wanted > params.speedMax.value()) ? 1U : 0U;
+            planned && (wanted < params.speedMin.value() || wanted > params.speedMax.value()) ? 1U
+                                                                                              : 0U;
         if (i > 0) {
           const double length = (point.p - bead.points[i - 1].p).norm();
           s.length += length;

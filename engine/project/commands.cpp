@@ -453,12 +453,13 @@ Value schemaOf(FieldType type) {
       return Value::object(
           {{"type", "array"},
            {"items",
-            Value::object({{"type", "object"},
-                           {"properties", Value::object({{"id", id},
-                                                         {"type", text},
-                                                         {"enabled", Value::object({{"type", "boolean"}})},
-                                                         {"params", Value::object({{"type", "object"}})}})},
-                           {"required", Value(Value::Array{Value("id"), Value("type")})}})}});
+            Value::object(
+                {{"type", "object"},
+                 {"properties", Value::object({{"id", id},
+                                               {"type", text},
+                                               {"enabled", Value::object({{"type", "boolean"}})},
+                                               {"params", Value::object({{"type", "object"}})}})},
+                 {"required", Value(Value::Array{Value("id"), Value("type")})}})}});
     case FieldType::Hashes:
       return Value::object({{"type", "object"}, {"additionalProperties", hash}});
   }

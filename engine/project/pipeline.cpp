@@ -420,10 +420,9 @@ Staged<toolpath::Toolpath> Pipeline::stageEdits(const Operation& operation,
   if (edits.empty()) {
     return path;
   }
-  return stage<toolpath::Toolpath>(
-      "edits", std::move(key), context, [&](const JobContext& own) {
-        return toolpath::applyEdits(*path.value, edits, params.zones(), own);
-      });
+  return stage<toolpath::Toolpath>("edits", std::move(key), context, [&](const JobContext& own) {
+    return toolpath::applyEdits(*path.value, edits, params.zones(), own);
+  });
 }
 
 OperationResult Pipeline::computeStages(const Operation& operation,
@@ -527,9 +526,8 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   const auto motion = stage<motion::CheckedMotion>(
       "motion", std::move(motionKey), context.portion(0.7, 0.95, "motion"),
       [&](const JobContext& own) {
-        motion::CheckedMotion checked =
-            motion::planCheckedMotion(*processed.value, *cell.value, substrate.value.get(),
-                                      motionParams, operation.id, own);
+        motion::CheckedMotion checked = motion::planCheckedMotion(
+            *processed.value, *cell.value, substrate.value.get(), motionParams, operation.id, own);
         const toolpath::Toolpath& built = checked.pathChanged ? checked.path : *processed.value;
         if (motion::hasPauses(built)) {
           checked.planned = motion::withPauses(std::move(checked.planned), built);

@@ -171,11 +171,11 @@ Schema<EditParams> repeatSchema() {
                                 .group = "Layers",
                                 .min = 1,
                                 .max = 10000})
-      .add(&EditParams::offsetMode, {.key = "offset_mode",
-                                     .label = "Offset",
-                                     .group = "Layers",
-                                     .choices = {{"step", "The thickness of the range"},
-                                                 {"given", "As given"}}})
+      .add(&EditParams::offsetMode,
+           {.key = "offset_mode",
+            .label = "Offset",
+            .group = "Layers",
+            .choices = {{"step", "The thickness of the range"}, {"given", "As given"}}})
       .add(&EditParams::offset,
            {.key = "offset",
             .label = "Offset of a repetition",
@@ -190,11 +190,10 @@ Schema<EditParams> repeatSchema() {
 
 void addMode(Schema<EditParams>& schema, const ParamChoice& value) {
   schema
-      .add(&EditParams::mode,
-           {.key = "mode",
-            .label = "Change",
-            .group = "Change",
-            .choices = {{"factor", "By a factor of what is planned"}, value}})
+      .add(&EditParams::mode, {.key = "mode",
+                               .label = "Change",
+                               .group = "Change",
+                               .choices = {{"factor", "By a factor of what is planned"}, value}})
       .add(&EditParams::factor,
            {.key = "factor",
             .label = "Factor",
@@ -286,14 +285,13 @@ Schema<EditParams> tiltSchema(const char* help) {
                                 .group = "Tool axis",
                                 .min = -kMostTilt,
                                 .max = kMostTilt})
-      .add(&EditParams::blend,
-           {.key = "blend",
-            .label = "Blend",
-            .help = "Length outside the region in which the change fades away.",
-            .group = "Tool axis",
-            .level = ParamLevel::Advanced,
-            .min = 0.0,
-            .max = 1000.0});
+      .add(&EditParams::blend, {.key = "blend",
+                                .label = "Blend",
+                                .help = "Length outside the region in which the change fades away.",
+                                .group = "Tool axis",
+                                .level = ParamLevel::Advanced,
+                                .min = 0.0,
+                                .max = 1000.0});
   return schema;
 }
 
@@ -344,8 +342,8 @@ void checkTogether(const EditParams& params,
   }
   if (params.region == EditRegion::HalfSpace &&
       !(Vec3(params.planeNormal.data()).norm() > 1e-9)) {  // shorter ones have no direction
-    problems.push_back({place("plane_normal"), "has no direction; give a vector that is not zero",
-                        false});
+    problems.push_back(
+        {place("plane_normal"), "has no direction; give a vector that is not zero", false});
   }
   if (params.region == EditRegion::Length && params.to.value() > 0.0 &&
       !(params.from < params.to)) {

@@ -48,9 +48,8 @@ EditDialog::EditDialog(const project::Document& document,
   types_->setSpacing(2);
   types_->setWordWrap(true);
   for (const toolpath::EditTypeInfo& info : toolpath::editTypes()) {
-    auto* item =
-        new QListWidgetItem(editPicture(info.type),
-                            engineText(info.name) + "\n" + engineText(info.summary), types_);
+    auto* item = new QListWidgetItem(
+        editPicture(info.type), engineText(info.name) + "\n" + engineText(info.summary), types_);
     item->setData(Qt::UserRole, QString(info.key));
   }
   operation_ = new QComboBox(this);

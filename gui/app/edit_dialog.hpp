@@ -14,7 +14,8 @@ class QListWidget;
 
 namespace wcam::gui {
 
-/// Chooses what an edit does, with a picture and a sentence each, and the operation that it changes.
+/// Chooses what an edit does, with a picture and a sentence each, and the operation that it
+/// changes.
 class EditDialog : public QDialog {
   Q_OBJECT
 

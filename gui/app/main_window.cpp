@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "main_window.hpp"
-#include "node_form.hpp"
 
+#include "node_form.hpp"
 #include "widgets/layer_slider.hpp"
 #include "widgets/legend.hpp"
 #include "widgets/log_view.hpp"

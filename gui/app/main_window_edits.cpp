@@ -44,10 +44,10 @@ bool MainWindow::makeEdit(const std::string& operation,
                           const std::string& id,
                           const std::string& type,
                           const Value& params) {
-  if (operation.empty() || !run({"edit.add", Value::object({{"operation", operation},
-                                                            {"id", id},
-                                                            {"type", type},
-                                                            {"params", params}})})) {
+  if (operation.empty() ||
+      !run({"edit.add",
+            Value::object(
+                {{"operation", operation}, {"id", id}, {"type", type}, {"params", params}})})) {
     return false;
   }
   tree_->select(editRef(operation, id));
@@ -57,7 +57,7 @@ bool MainWindow::makeEdit(const std::string& operation,
 
 void MainWindow::addEdit() {
   const NodeRef node = tree_->selected();
-  const std::string operation = node.list == "edits"                         ? operationOf(node)
+  const std::string operation = node.list == "edits"                            ? operationOf(node)
                                 : node.list == "operations" && !node.id.empty() ? node.id
                                                                                 : shownOperation();
   EditDialog dialog(session_->document(), operation, this);

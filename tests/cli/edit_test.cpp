@@ -33,8 +33,8 @@ protected:
 
 TEST_F(EditVerb, AddsListsChangesMovesAndRemoves) {
   EXPECT_EQ(edit({"list", project_}).out, "");
-  const ProcessResult added = edit({"add", project_, "planar", "pause", "--set", "time=0.5min",
-                                    "--set", "first_layer=-1"});
+  const ProcessResult added =
+      edit({"add", project_, "planar", "pause", "--set", "time=0.5min", "--set", "first_layer=-1"});
   EXPECT_EQ(added.exitCode, 0) << added.err;
   EXPECT_EQ(edit({"add", project_, "planar", "set_speed", "--id", "slow", "--index", "0", "--set",
                   "factor=50%", "--set", "region=sphere", "--set", "centre=1cm, 0, 0", "--disable"})
@@ -53,9 +53,8 @@ TEST_F(EditVerb, AddsListsChangesMovesAndRemoves) {
             0);
   EXPECT_EQ(edit({"move", project_, "planar", "slow", "1"}).exitCode, 0);
   EXPECT_EQ(edit({"remove", project_, "planar", "pause"}).exitCode, 0);
-  EXPECT_EQ(
-      toCompactJson(edits()),
-      R"([{"id":"slow","type":"set_speed","params":{"factor":0.7,"region":"sphere"}}])");
+  EXPECT_EQ(toCompactJson(edits()),
+            R"([{"id":"slow","type":"set_speed","params":{"factor":0.7,"region":"sphere"}}])");
   EXPECT_EQ(edit({"add", project_, "planar", "set_speed"}).exitCode, 0);
   EXPECT_EQ(edits().asArray()[1].at("id").asString(), "set_speed");
   EXPECT_EQ(edit({"add", project_, "planar", "set_speed"}).exitCode, 0);

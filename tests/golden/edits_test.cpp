@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Edits of toolpaths on whole projects: file, commands, pipeline, programs.
+#include "wcam/toolpath/edits.hpp"
+
 #include "wcam/base/json.hpp"
 #include "wcam/base/sha256.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/project/history.hpp"
 #include "wcam/project/report.hpp"
 #include "wcam/project/run.hpp"
-#include "wcam/toolpath/edits.hpp"
 
 #include "example_project.hpp"
 #include "krl_reader.hpp"
@@ -43,8 +44,7 @@ Document edited(const Document& document,
 
 OperationResult compute(const Document& document,
                         const std::string& operation = "planar",
-                        const std::shared_ptr<StageCache>& cache =
-                            std::make_shared<StageCache>()) {
+                        const std::shared_ptr<StageCache>& cache = std::make_shared<StageCache>()) {
   return Pipeline(document, test::exampleFile("elbow"), test::hostOfPlugins(), cache)
       .compute(operation, JobContext());
 }
@@ -82,9 +82,9 @@ TEST(EditsOfProjects, AnEditDoesNotSliceAgain) {
   EXPECT_EQ(cache->runs("edits"), 1U);
   EXPECT_EQ(cache->runs("process"), 2U);
   // Switched off it is as if it were not there; writing a default out changes nothing.
-  (void)compute(with(slow, "edit.set",
-                     R"({"operation": "planar", "id": "slow", "enabled": false})"),
-                "planar", cache);
+  (void)compute(
+      with(slow, "edit.set", R"({"operation": "planar", "id": "slow", "enabled": false})"),
+      "planar", cache);
   (void)compute(with(slow, "edit.set_param",
                      R"({"operation": "planar", "id": "slow", "key": "bead", "value": -1})"),
                 "planar", cache);
@@ -95,11 +95,13 @@ TEST(EditsOfProjects, AnEditDoesNotSliceAgain) {
 TEST(EditsOfProjects, SurviveARegeneration) {
   Document document = edited(test::exampleDocument("elbow"), "planar", "cool", "pause",
                              R"({"first_layer": -1, "time": 33.0})");
-  document = edited(document, "planar", "seam", "move_seam",
-                    R"({"first_layer": 1, "last_layer": 1, "seam": "point", "point": [0, 900, 0]})");
+  document =
+      edited(document, "planar", "seam", "move_seam",
+             R"({"first_layer": 1, "last_layer": 1, "seam": "point", "point": [0, 900, 0]})");
   for (const double step : {5.0, 4.0, 9.0}) {
-    document = apply(document, {"operation.set_param",
-                                Value::object({{"id", "planar"}, {"key", "step"}, {"value", step}})});
+    document =
+        apply(document, {"operation.set_param",
+                         Value::object({{"id", "planar"}, {"key", "step"}, {"value", step}})});
     const OperationResult result = compute(document);
     const auto& layers = result.path->layers;
     EXPECT_EQ(layers.back().beads[0].pauseBefore, 33.0);
@@ -119,9 +121,8 @@ TEST(EditsOfProjects, SurviveARegeneration) {
 }
 
 TEST(EditsOfProjects, WhatFindsNothingIsTold) {
-  const Document document =
-      edited(test::exampleDocument("elbow"), "planar", "high", "set_speed",
-             R"({"first_layer": 500, "last_layer": 501, "factor": 0.5})");
+  const Document document = edited(test::exampleDocument("elbow"), "planar", "high", "set_speed",
+                                   R"({"first_layer": 500, "last_layer": 501, "factor": 0.5})");
   const OperationResult result = compute(document);
   ASSERT_EQ(count(result, "edit.selects_nothing"), 1U);
   for (const Diagnostic& finding : result.findings) {
@@ -178,10 +179,10 @@ TEST(EditsOfProjects, ThePauseReachesEveryPost) {
               !std::holds_alternative<program::ArcOff>(instruction.action);
     EXPECT_FALSE(burning && std::holds_alternative<program::Wait>(instruction.action));
   }
-  EXPECT_NEAR(result.motion->statistics.totalTime,
-              result.motion->motion.waypoints.back().time +
-                  result.motion->motion.waypoints.back().pause,
-              1e-9);
+  EXPECT_NEAR(
+      result.motion->statistics.totalTime,
+      result.motion->motion.waypoints.back().time + result.motion->motion.waypoints.back().pause,
+      1e-9);
   EXPECT_GT(result.motion->statistics.totalTime,
             plain.motion->statistics.totalTime + 3 * 17.25 + 2.5);
 }
@@ -342,7 +343,8 @@ std::string errorOf(const std::string& edits) {
 }
 
 TEST(EditsOfProjects, BadOnesAreRefusedWithTheirPlace) {
-  EXPECT_EQ(errorOf(R"([{"id": "a", "type": "reverse", "x_note": 1, "params": {"x_own": 2}}])"), "");
+  EXPECT_EQ(errorOf(R"([{"id": "a", "type": "reverse", "x_note": 1, "params": {"x_own": 2}}])"),
+            "");
   EXPECT_THAT(errorOf("{}"), HasSubstr("operations[0].edits: expected a list"));
   EXPECT_THAT(errorOf("[3]"), HasSubstr("operations[0].edits[0]: expected an object"));
   EXPECT_THAT(errorOf(R"([{"type": "reverse"}])"), HasSubstr("the key 'id' is missing"));

@@ -178,13 +178,12 @@ TEST_F(EditsInTheWindow, TheLayersThatAreShownAreEdited) {
 }
 
 TEST(EditForm, EveryTypeHasAPictureASentenceAndAForm) {
-  project::Document document =
-      project::loadProject(test::example("elbow")).document;
+  project::Document document = project::loadProject(test::example("elbow")).document;
   for (const toolpath::EditTypeInfo& info : toolpath::editTypes()) {
     EXPECT_FALSE(editPicture(info.type).isNull());
-    document = project::apply(document, {"edit.add", Value::object({{"operation", "planar"},
-                                                                    {"id", info.key},
-                                                                    {"type", info.key}})});
+    document = project::apply(
+        document, {"edit.add",
+                   Value::object({{"operation", "planar"}, {"id", info.key}, {"type", info.key}})});
     const NodeForm form = formOf(document, editRef("planar", info.key), *test::plugins());
     ASSERT_EQ(form.sections.size(), 2U) << info.key;
     const project::Command command =

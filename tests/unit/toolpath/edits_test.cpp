@@ -17,9 +17,9 @@
 namespace wcam::toolpath {
 namespace {
 
-using ::testing::HasSubstr;
 using test::circle;
 using test::layerOf;
+using ::testing::HasSubstr;
 
 constexpr double kRadius = 20.0;
 constexpr double kStep = 2.0;
@@ -112,9 +112,9 @@ TEST(MoveSeam, ByALengthMovesAlongTheBead) {
   const Toolpath path = stack(3);
   const double whole = points(path).size() > 1 ? path.layers[0].beads[0].length() : 0.0;
   for (const double length : {0.0, 1e-9, 3.3, 17.0, whole / 2, whole - 1e-9, 2.5 * whole, -8.0}) {
-    const Toolpath moved =
-        edited(path, "move_seam", "{\"first_layer\": 1, \"last_layer\": 1, \"length\": " +
-                                      std::to_string(length) + "}");
+    const Toolpath moved = edited(
+        path, "move_seam",
+        "{\"first_layer\": 1, \"last_layer\": 1, \"length\": " + std::to_string(length) + "}");
     EXPECT_TRUE(same({{path.layers[0]}}, {{moved.layers[0]}}, 0.0));
     EXPECT_TRUE(same({{path.layers[2]}}, {{moved.layers[2]}}, 0.0));
     EXPECT_NEAR(moved.layers[1].beads[0].length(), whole, 1e-9);
@@ -154,7 +154,8 @@ TEST(MoveSeam, AtPointsKeepsTheSetOfPoints) {
     EXPECT_EQ(after[i].t, before[(i + shift) % n].t);
   }
   // And back again.
-  EXPECT_TRUE(same(edited(moved, "move_seam", R"({"length": -31.4, "exact": false})"), path, 1e-12));
+  EXPECT_TRUE(
+      same(edited(moved, "move_seam", R"({"length": -31.4, "exact": false})"), path, 1e-12));
 }
 
 TEST(MoveSeam, ToAPointOrAnAngle) {
@@ -242,9 +243,9 @@ TEST(DeleteLayers, AGapIsMeasuredAndTold) {
 TEST(DeleteLayers, ClosesTheGap) {
   const Toolpath path = stack(6);
   const JobContext context;
-  const Toolpath closed = edited(
-      path, "delete_layers", R"({"first_layer": 2, "last_layer": 3, "close_gap": true})", "{}",
-      context);
+  const Toolpath closed =
+      edited(path, "delete_layers", R"({"first_layer": 2, "last_layer": 3, "close_gap": true})",
+             "{}", context);
   EXPECT_TRUE(same(closed, stack(4), 1e-9));
   EXPECT_TRUE(context.diagnostics().items().empty());
   for (std::size_t l = 0; l < 4; ++l) {
@@ -293,20 +294,21 @@ process::ProcessParams processParams() {
 TEST(SetSpeed, CutsExactlyAtTheBorderAndKeepsLengths) {
   const Toolpath path = stack(2);
   const double whole = lengthOf(path);
+
   struct Case {
     const char* region;
     double angle;  ///< of the arc of the circle that lies inside
   };
+
   const double polygon = whole / 2.0;
-  for (const Case& c : {Case{R"("region": "half_space", "plane_normal": [1, 0, 0])", kPi},
-                        Case{R"("region": "box", "box_min": [-100, 10, -1], "box_max": [100, 100, 9])",
-                             2.0 * kPi / 3.0},
-                        Case{R"("region": "sphere", "centre": [20, 0, 2], "radius": 20)",
-                             2.0 * kPi / 3.0},
-                        Case{R"("region": "length", "from": 10, "to": 40)", 30.0 / kRadius}}) {
+  for (const Case& c :
+       {Case{R"("region": "half_space", "plane_normal": [1, 0, 0])", kPi},
+        Case{R"("region": "box", "box_min": [-100, 10, -1], "box_max": [100, 100, 9])",
+             2.0 * kPi / 3.0},
+        Case{R"("region": "sphere", "centre": [20, 0, 2], "radius": 20)", 2.0 * kPi / 3.0},
+        Case{R"("region": "length", "from": 10, "to": 40)", 30.0 / kRadius}}) {
     const Toolpath slow = edited(
-        path, "set_speed",
-        std::string("{\"last_layer\": 0, \"factor\": 0.5, ") + c.region + "}");
+        path, "set_speed", std::string("{\"last_layer\": 0, \"factor\": 0.5, ") + c.region + "}");
     EXPECT_NEAR(lengthOf(slow), whole, 1e-9) << c.region;
     EXPECT_TRUE(same({{slow.layers[1]}}, {{path.layers[1]}}, 0.0));
     double inside = 0.0;
@@ -346,8 +348,8 @@ TEST(SetSpeed, TheWidthFollowsTheSection) {
   EXPECT_NEAR(point.speed, 1.25 * planned, 1e-12);
   EXPECT_EQ(point.wireSpeed, params.wireSpeed.value());
   const double area = kPi / 4.0 * 1.2 * 1.2;
-  EXPECT_NEAR(process::wallSection(point.height, point.width),
-              area * point.wireSpeed / point.speed, 1e-9);
+  EXPECT_NEAR(process::wallSection(point.height, point.width), area * point.wireSpeed / point.speed,
+              1e-9);
   EXPECT_LT(point.width, params.beadWidth.value());
   EXPECT_EQ(points(fast, 1)[5].speed, points(plain, 1)[5].speed);
   EXPECT_EQ(points(fast, 1)[5].width, points(plain, 1)[5].width);
@@ -404,19 +406,19 @@ TEST(SetSpeed, OutsideTheWindowIsClampedAndTold) {
 TEST(SetSpeed, ARegionBesideThePartSelectsNothing) {
   const JobContext context;
   const Toolpath path = stack(2);
-  EXPECT_TRUE(same(edited(path, "set_speed",
-                          R"({"region": "sphere", "centre": [500, 0, 0], "radius": 3})", "{}",
-                          context),
-                   path, 0.0));
+  EXPECT_TRUE(
+      same(edited(path, "set_speed", R"({"region": "sphere", "centre": [500, 0, 0], "radius": 3})",
+                  "{}", context),
+           path, 0.0));
   EXPECT_EQ(count(context, "edit.selects_nothing"), 1U);
 }
 
 // --- pause and direction
 
 TEST(Pause, StandsBeforeAndAfterBeads) {
-  const Toolpath path = edited(
-      edited(stack(3), "pause", R"({"first_layer": 1, "last_layer": 1, "time": 12})"), "pause",
-      R"({"where": "after", "time": 3, "last_layer": 0})");
+  const Toolpath path =
+      edited(edited(stack(3), "pause", R"({"first_layer": 1, "last_layer": 1, "time": 12})"),
+             "pause", R"({"where": "after", "time": 3, "last_layer": 0})");
   EXPECT_EQ(path.layers[1].beads[0].pauseBefore, 12.0);
   EXPECT_EQ(path.layers[0].beads[0].pauseAfter, 3.0);
   EXPECT_EQ(path.layers[2].beads[0].pauseBefore + path.layers[2].beads[0].pauseAfter, 0.0);
@@ -443,9 +445,9 @@ TEST(Pause, AtALengthCutsTheBead) {
   EXPECT_LT(first.points[first.points.size() - 2].speedFactor, 0.6);
   EXPECT_EQ(first.points[2].speedFactor, 1.0);
   const JobContext context;
-  EXPECT_EQ(edited(path, "pause", R"({"where": "at_length", "length": 999})", zones, context)
-                .beadCount(),
-            1U);
+  EXPECT_EQ(
+      edited(path, "pause", R"({"where": "at_length", "length": 999})", zones, context).beadCount(),
+      1U);
   EXPECT_EQ(count(context, "edit.selects_nothing"), 1U);
 }
 
@@ -491,8 +493,7 @@ TEST(SetLead, AddsAndReplaces) {
   for (const PathPoint& point : points(edited(path, "set_lead", R"({"angle": 7})", params))) {
     EXPECT_NEAR(leadOf(point), 17.0, 1e-9);
   }
-  const Toolpath replaced =
-      edited(path, "set_lead", R"({"mode": "replace", "angle": -7})", params);
+  const Toolpath replaced = edited(path, "set_lead", R"({"mode": "replace", "angle": -7})", params);
   const Toolpath wanted = stack(1, R"({"lead": -7, "lateral_tilt": 4})");
   EXPECT_TRUE(same(replaced, wanted, 1e-12));
   EXPECT_TRUE(same(edited(path, "set_lateral", R"({"mode": "replace", "angle": 9})", params),
@@ -516,8 +517,8 @@ TEST(SetLead, FadesOutsideTheRegion) {
 
 TEST(SetLead, IsLimited) {
   const JobContext context;
-  const Toolpath leaned = edited(stack(1, R"({"lead": 30})"), "set_lead", R"({"angle": 60})", "{}",
-                                 context);
+  const Toolpath leaned =
+      edited(stack(1, R"({"lead": 30})"), "set_lead", R"({"angle": 60})", "{}", context);
   EXPECT_NEAR(leadOf(points(leaned)[3]), 80.0, 1e-9);
   EXPECT_EQ(count(context, "edit.tilt_limited"), 1U);
 }

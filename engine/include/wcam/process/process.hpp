@@ -58,7 +58,7 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
 ///
 /// Where edits change a move (PathPoint::change) the section of the bead stays consistent: either
 /// the other of speed and wire follows so that the section of the local height is deposited, or the
-/// width becomes that of the section which speed and wire make. Ramps do not widen or narrow a bead.
+/// width becomes that of the section which speed and wire make. Ramps change no width.
 ///
 /// Findings, one per layer with the worst value and the count: process.speed_clamped,
 /// process.height_out_of_range, process.section_too_small.

@@ -66,8 +66,8 @@ struct EditParams {
   Length radius = 20.0_mm;
   std::array<double, 3> planePoint{0.0, 0.0, 0.0};   ///< on the border of the half space
   std::array<double, 3> planeNormal{0.0, 0.0, 1.0};  ///< into the half space
-  Length from = 0.0_mm;  ///< along the bead, from the start of its body
-  Length to = 0.0_mm;    ///< 0: to the end
+  Length from = 0.0_mm;                              ///< along the bead, from the start of its body
+  Length to = 0.0_mm;                                ///< 0: to the end
   // move_seam
   SeamTarget seam = SeamTarget::Length;
   Length seamLength = 10.0_mm;                     ///< forward from the present start

@@ -59,7 +59,7 @@ struct Bead {
   bool closed = false;
   int part = 0;  ///< index of the part in the operation
   BeadFeature feature = BeadFeature::Wall;
-  int revolutions = 0;  ///< of a bead that climbs (Contour::turns); 0 for a bead of one layer
+  int revolutions = 0;       ///< of a bead that climbs (Contour::turns); 0 for a bead of one layer
   double pauseBefore = 0.0;  ///< s that the torch waits above the start, arc off, before the bead
   double pauseAfter = 0.0;   ///< s that it waits above the end afterwards
   [[nodiscard]] double length() const;
