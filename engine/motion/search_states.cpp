@@ -232,21 +232,6 @@ void StateBuilder::solve(const Rung& rung, RungStates& states) const {
   }
 }
 
-namespace {
-
-float wrapped(float angle) {
-  const auto turn = static_cast<float>(kTurn);
-  return angle - turn * std::rint(angle / turn);
-}
-
-/// How far a value lies outside [−π, π]-shifted limits, of the turn that lies best.
-float outside(float value, float middle, float half, bool periodic) {
-  const float d = value - middle;
-  return std::abs(periodic ? wrapped(d) : d) - half;
-}
-
-}  // namespace
-
 /// Limits, singularity margins, twist and objectives of the states of one table sample; the second
 /// half of each row.
 void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& states) const {
@@ -263,52 +248,37 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
     if (joint.endless) {
       continue;
     }
-    const auto middle = static_cast<float>(0.5 * (joint.min + joint.max));
-    const auto half = static_cast<float>(0.5 * (joint.max - joint.min));
-    const bool periodic = arm.periodic[static_cast<std::size_t>(j)];
-    const float* row = states.rows[j].data() + base;
-    for (int n = 0; n < kLanes; ++n) {
-      const float beyond = outside(row[n], middle, half, periodic);
-      const float relative = (beyond + half) / half;
-      cost[n] +=
-          weight * relative * relative +
-          (beyond > 0.0F ? steps * (SearchPenalty::kOutside + SearchPenalty::kBeyond * beyond)
-                         : 0.0F);
-    }
+    RangeCost range;
+    range.middle = static_cast<float>(0.5 * (joint.min + joint.max));
+    range.half = static_cast<float>(0.5 * (joint.max - joint.min));
+    range.weight = weight;
+    range.outside = steps * SearchPenalty::kOutside;
+    range.beyond = steps * SearchPenalty::kBeyond;
+    range.wraps = arm.periodic[static_cast<std::size_t>(j)];
+    addRangeCost(states.rows[j].data() + base, range, kLanes, cost);
   }
   // Wrist and elbow bends are linear in the canonical angles.
-  const float* row5 = states.rows[4].data() + base;
   const float* row2 = states.rows[1].data() + base;
   const float* row3 = states.rows[2].data() + base;
-  const auto g5 = static_cast<float>(arm.gain(4, 4));
-  const auto o5 = static_cast<float>(arm.offset(4));
-  const auto g32 = static_cast<float>(arm.gain(2, 1));
-  const auto g33 = static_cast<float>(arm.gain(2, 2));
+  const float* row5 = states.rows[4].data() + base;
+  const float singular = steps * SearchPenalty::kSingular;
+  addFoldCost(row5, row5,
+              {static_cast<float>(arm.gain(4, 4)), 0.0F, static_cast<float>(arm.offset(4)),
+               static_cast<float>(params.wristMargin.value()), singular},
+              kLanes, cost);
   // Stretched where −d4·cos c3 + r4·sin c3 = 0.
-  const auto o3 = static_cast<float>(arm.offset(2) - std::atan2(arm.d4, arm.r4));
-  const auto wrist = static_cast<float>(params.wristMargin.value());
-  const auto elbow = static_cast<float>(params.elbowMargin.value());
-  const auto halfTurn = static_cast<float>(kPi);
-  for (int n = 0; n < kLanes; ++n) {
-    const float bend5 = std::abs(wrapped(g5 * row5[n] + o5));
-    const float bend3 = std::abs(wrapped(g32 * row2[n] + g33 * row3[n] + o3));
-    const float near5 = bend5 < halfTurn - bend5 ? bend5 : halfTurn - bend5;
-    const float near3 = bend3 < halfTurn - bend3 ? bend3 : halfTurn - bend3;
-    cost[n] += (near5 < wrist ? steps * SearchPenalty::kSingular : 0.0F) +
-               (near3 < elbow ? steps * SearchPenalty::kSingular : 0.0F);
-  }
+  addFoldCost(row2, row3,
+              {static_cast<float>(arm.gain(2, 1)), static_cast<float>(arm.gain(2, 2)),
+               static_cast<float>(arm.offset(2) - std::atan2(arm.d4, arm.r4)),
+               static_cast<float>(params.elbowMargin.value()), singular},
+              kLanes, cost);
   const double limit = params.cableLimit.value();
   if (limit > 0.0) {
     const float sign = arm.gain(3, 3) * arm.gain(5, 5) < 0.0 ? -1.0F : 1.0F;
-    const auto zero = static_cast<float>(params.cableZero.value());
-    const auto most = static_cast<float>(limit);
-    float* twist = states.rows[6].data() + base;
-    for (int n = 0; n < kLanes; ++n) {
-      twist[n] = wrapped(states.rows[3][base + static_cast<std::size_t>(n)] +
-                         sign * states.rows[5][base + static_cast<std::size_t>(n)] - zero);
-      const float over = std::abs(twist[n]) - most;
-      cost[n] += over > 0.0F ? steps * SearchPenalty::kTwist * (1.0F + over) : 0.0F;
-    }
+    addTwistCost(states.rows[3].data() + base, states.rows[5].data() + base,
+                 {sign, static_cast<float>(params.cableZero.value()), static_cast<float>(limit),
+                  steps * SearchPenalty::kTwist},
+                 kLanes, states.rows[6].data() + base, cost);
   }
   PositionerValues values = task_.references[frame_.family].joints[rung.target];
   if (hasTable_) {
@@ -320,15 +290,14 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
     shared += params.weightGravity * angle * angle * static_cast<double>(rung.steps) /
               static_cast<double>(frame_.points);
   }
-  for (int n = 0; n < kLanes; ++n) {
-    const int branch = n % cell::Branch::kCount;
-    cost[n] += static_cast<float>(shared) + (mayUse(params, branch) ? 0.0F : SearchPenalty::kNever);
-    if (rung.firstOfRun) {
-      const cell::Branch b = cell::Branch::fromIndex(branch);
-      cost[n] += SearchPenalty::kUnusual *
-                 static_cast<float>((b.elbowDown ? 1 : 0) + (b.backwards ? 2 : 0));
-    }
+  float branches[cell::Branch::kCount];
+  for (int k = 0; k < cell::Branch::kCount; ++k) {
+    const cell::Branch branch = cell::Branch::fromIndex(k);
+    const int unusual = (branch.elbowDown ? 1 : 0) + (branch.backwards ? 2 : 0);
+    branches[k] = static_cast<float>(shared) + (mayUse(params, k) ? 0.0F : SearchPenalty::kNever) +
+                  (rung.firstOfRun ? SearchPenalty::kUnusual * static_cast<float>(unusual) : 0.0F);
   }
+  addBranchCost(branches, kLanes, cost);
   for (auto& row : states.rows) {
     if (!row.empty()) {
       std::copy_n(row.data() + base, kLanes, row.data() + base + kLanes);

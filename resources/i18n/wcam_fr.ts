@@ -1966,6 +1966,10 @@
         <translation>Marge aux butées</translation>
     </message>
     <message>
+        <source>Distance to collision</source>
+        <translation>Distance de collision</translation>
+    </message>
+    <message>
         <source>Findings</source>
         <translation>Constats</translation>
     </message>
@@ -3201,8 +3205,8 @@
         <translation>Enregistrer le rapport</translation>
     </message>
     <message>
-        <source>Web pages (*.html)</source>
-        <translation>Pages web (*.html)</translation>
+        <source>Web pages (*.html);;PDF documents (*.pdf)</source>
+        <translation>Pages web (*.html);;Documents PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Report</source>
