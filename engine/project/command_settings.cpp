@@ -259,7 +259,7 @@ std::optional<Command> editCommand(const Document& document,
                      args.set("key", name).set("value", schema.parse(name, text))};
     }
     refuse("'" + fullKey + "' names no edit of operation '" + operation.id + "'" +
-           didYouMean(key.substr(prefix.size()), ids));
+           didYouMean(key.substr(prefix.size(), key.rfind('.') - prefix.size()), ids));
   }
   return std::nullopt;
 }
