@@ -96,6 +96,11 @@ private:
                                                            const JobContext& context) const;
   [[nodiscard]] std::shared_ptr<const geometry::GuideCurve> makeGuide(
       const Guide& guide, std::string& key, const JobContext& context) const;
+  /// The path itself where no edit is enabled.
+  [[nodiscard]] Staged<toolpath::Toolpath> stageEdits(const Operation& operation,
+                                                      const Staged<toolpath::Toolpath>& path,
+                                                      const toolpath::PathParams& params,
+                                                      const JobContext& context) const;
   [[nodiscard]] process::ProcessParams processOf(const Operation& operation,
                                                  Value& completed) const;
   /// The last stage that is wanted.
