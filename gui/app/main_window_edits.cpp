@@ -10,6 +10,7 @@
 #include "widgets/layer_slider.hpp"
 #include "widgets/text.hpp"
 
+#include <QDockWidget>
 #include <QMenu>
 
 #include <cmath>

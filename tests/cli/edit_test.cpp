@@ -20,7 +20,8 @@ protected:
   }
 
   Value edits() const {
-    for (const Value& operation : parseJson(readFile(project_)).at("operations").asArray()) {
+    const Value tree = parseJson(readFile(project_));
+    for (const Value& operation : tree.at("operations").asArray()) {
       if (operation.at("id").asString() == "planar" && operation.contains("edits")) {
         return operation.at("edits");
       }

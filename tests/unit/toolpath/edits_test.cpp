@@ -490,7 +490,8 @@ double leadOf(const PathPoint& point) {
 TEST(SetLead, AddsAndReplaces) {
   const std::string params = R"({"lead": 10, "lateral_tilt": 4})";
   const Toolpath path = stack(1, params);
-  for (const PathPoint& point : points(edited(path, "set_lead", R"({"angle": 7})", params))) {
+  const Toolpath added = edited(path, "set_lead", R"({"angle": 7})", params);
+  for (const PathPoint& point : points(added)) {
     EXPECT_NEAR(leadOf(point), 17.0, 1e-9);
   }
   const Toolpath replaced = edited(path, "set_lead", R"({"mode": "replace", "angle": -7})", params);
