@@ -74,6 +74,7 @@ CommandLine::CommandLine() : app_(kPurpose) {
   addCommon(app_);
   addFileVerbs();
   addPlaceVerb();
+  addEditVerbs();
   addOtherVerbs();
   app_.require_subcommand(0, 1);
   app_.footer(kExitCodes);
@@ -175,6 +176,55 @@ void CommandLine::addPlaceVerb() {
   place->add_option("--map", options_.map, "Write all places with their margins as CSV")
       ->type_name("FILE");
   place->add_flag("--apply", options_.applyPlace, "Move parts and substrate there and save");
+}
+
+void CommandLine::addEditVerbs() {
+  CLI::App* edit = app_.add_subcommand("edit", "Edits of a generated toolpath, stored in a project")
+                       ->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help, int (*function)(const Session&)) {
+    CLI::App* verb = addVerb(*edit, name, help, function);
+    verb->add_option("project", options_.file, "Project file")->required()->type_name("PROJECT");
+    return verb;
+  };
+  const auto addOperation = [&](CLI::App& verb) {
+    return verb.add_option("operation", options_.editedOperation, "Operation that is edited")
+        ->type_name("OPERATION");
+  };
+  const auto addId = [&](CLI::App& verb) {
+    addOperation(verb)->required();
+    verb.add_option("edit", options_.edit, "Id of the edit")->required()->type_name("EDIT");
+  };
+  const auto addSettings = [&](CLI::App& verb) {
+    verb.add_option("--set", options_.settings,
+                    "A parameter of the edit, e.g. first_layer=3 (repeatable); KEY= takes the "
+                    "default again")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb.add_flag("--disable", options_.disable, "Leave the edit out");
+  };
+  addVerb(*edit, "types", "List the types of edits", editTypesVerb);
+  addOperation(*add("list", "List the edits of all operations or of one", editListVerb));
+  CLI::App* create = add("add", "Add an edit to an operation and save the project", editAddVerb);
+  addOperation(*create)->required();
+  create->add_option("type", options_.editType, "What it does; `camcli edit types` lists them")
+      ->required()
+      ->type_name("TYPE");
+  create->add_option("--id", options_.edit, "Id of the edit (default: its type)")->type_name("ID");
+  create->add_option("--index", options_.index, "Place in the order, from 0 (default: the end)")
+      ->check(CLI::Range(0, 1000000))
+      ->type_name("N");
+  addSettings(*create);
+  CLI::App* set = add("set", "Change an edit and save the project", editSetVerb);
+  addId(*set);
+  addSettings(*set);
+  set->add_flag("--enable", options_.enable, "Apply the edit again")->excludes("--disable");
+  addId(*add("remove", "Remove an edit and save the project", editRemoveVerb));
+  CLI::App* move = add("move", "Give an edit another place in the order", editMoveVerb);
+  addId(*move);
+  move->add_option("index", options_.index, "The new place, from 0")
+      ->required()
+      ->check(CLI::Range(0, 1000000))
+      ->type_name("N");
 }
 
 void CommandLine::addOtherVerbs() {

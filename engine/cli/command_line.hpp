@@ -39,6 +39,7 @@ private:
                     int (*function)(const Session&));
   void addFileVerbs();
   void addPlaceVerb();
+  void addEditVerbs();
   void addOtherVerbs();
   void addSpeedVerb();
   [[nodiscard]] Error usageError(const CLI::ParseError& error) const;

@@ -47,7 +47,9 @@ std::string completionScript(const CLI::App& app, const std::string& shell) {
   }
   script += "  esac\n  case \"$before\" in\n";
   script +=
-      "    --post|--operation|--set|--threads|--name|--cell|--joints|--zero|--speed|--tolerance) "
+      "    "
+      "--post|--operation|--set|--threads|--name|--cell|--joints|--zero|--speed|--tolerance|--id|--"
+      "index) "
       "return ;;\n";
   script +=
       "    --project|--output|--report|--plugin|--part) COMPREPLY=($(compgen -f -- "

@@ -26,7 +26,7 @@ struct Options {
   std::vector<std::string> plugins;
   bool noUserPlugins = false;
   // verbs
-  std::string file;         ///< new, info, apply, check, speed
+  std::string file;         ///< new, info, apply, check, edit, speed
   std::string commands;     ///< apply
   std::string part;         ///< new
   std::string cell;         ///< new, speed
@@ -45,6 +45,13 @@ struct Options {
   double placeStep = 50.0;    ///< mm
   double placeTurn = 30.0;    ///< degrees
   std::string map;            ///< CSV file
+  // edit
+  std::string editedOperation;
+  std::string edit;      ///< id
+  std::string editType;  ///< add
+  bool enable = false;
+  bool disable = false;
+  int index = -1;  ///< place in the list; -1: at the end
 };
 
 }  // namespace wcam::cli

@@ -15,6 +15,7 @@
 #include "wcam/project/history.hpp"
 #include "wcam/project/project_file.hpp"
 #include "wcam/toolpath/build.hpp"
+#include "wcam/toolpath/edits.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -109,16 +110,22 @@ Value projectTemplate(const std::string& name, const std::string& part, const st
 
 /// Schemas of the engine's own sections, beside those of the plugins' components.
 struct EngineSchema {
-  const char* name;
-  const char* title;
+  std::string name;
+  std::string title;
   ParamSchema schema;
 };
 
 std::vector<EngineSchema> engineSchemas() {
-  return {{"import", "Import of a part", io::importOptionsSchema().params()},
-          {"motion", "Motion of an operation", motion::MotionParams::schema().params()},
-          {"path", "Path of an operation", toolpath::PathParams::schema().params()},
-          {"process", "Deposition process", process::ProcessParams::schema().params()}};
+  std::vector<EngineSchema> schemas = {
+      {"import", "Import of a part", io::importOptionsSchema().params()},
+      {"motion", "Motion of an operation", motion::MotionParams::schema().params()},
+      {"path", "Path of an operation", toolpath::PathParams::schema().params()},
+      {"process", "Deposition process", process::ProcessParams::schema().params()}};
+  for (const toolpath::EditTypeInfo& info : toolpath::editTypes()) {
+    schemas.push_back({std::string("edit.") + info.key, std::string("Edit: ") + info.name,
+                       toolpath::editSchema(info.type).params()});
+  }
+  return schemas;
 }
 
 }  // namespace

@@ -27,6 +27,12 @@ struct Session {
 
 int runProjectVerb(const Session& session);
 int newVerb(const Session& session);
+int editAddVerb(const Session& session);
+int editListVerb(const Session& session);
+int editMoveVerb(const Session& session);
+int editRemoveVerb(const Session& session);
+int editSetVerb(const Session& session);
+int editTypesVerb(const Session& session);
 int infoVerb(const Session& session);
 int applyVerb(const Session& session);
 int checkVerb(const Session& session);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/parallel.hpp"
+
 #include "modes.hpp"
 #include "refine.hpp"
 #include "search.hpp"
@@ -66,16 +68,42 @@ public:
   Optimizer(const Task& task, const JobContext& context, const collision::Clearance* clearance)
       : task_(task), context_(context), clearance_(clearance) {}
 
-  Candidate run() {
-    best_ = candidate(RedundancyMode::Constant, resolveConstant(task_, context_));
+  /// The candidates side by side, compared in a fixed order.
+  Candidate run() const {
+    std::vector<RedundancyMode> named;
     for (int m = static_cast<int>(RedundancyMode::PointByPoint); m < kRedundancyModes; ++m) {
-      tryNamed(static_cast<RedundancyMode>(m));
+      if (isCandidate(static_cast<RedundancyMode>(m))) {
+        named.push_back(static_cast<RedundancyMode>(m));
+      }
     }
-    context_.report(0.3);
-    for (std::size_t family = 0; family < task_.references.size(); ++family) {
-      tryFamily(family);
+    const std::size_t families = task_.references.size();
+    // The searches first: they take longest.
+    std::vector<std::vector<Candidate>> found(families + 1 + named.size());
+    parallelFor(
+        found.size(), 1,
+        [&](std::size_t k) {
+          if (k < families) {
+            found[k] = tryFamily(k);
+          } else if (k == families) {
+            found[k].push_back(
+                candidate(RedundancyMode::Constant, resolveConstant(task_, context_)));
+          } else {
+            const RedundancyMode mode = named[k - families - 1];
+            found[k].push_back(candidate(mode, resolveNamed(mode, task_, context_)));
+          }
+        },
+        context_);
+    Candidate best = std::move(found[families].front());
+    found[families].clear();
+    std::rotate(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(families), found.end());
+    for (std::vector<Candidate>& group : found) {
+      for (Candidate& candidate : group) {
+        if (candidate.evaluation.betterThan(best.evaluation)) {
+          best = std::move(candidate);
+        }
+      }
     }
-    return best_;
+    return best;
   }
 
 private:
@@ -83,25 +111,17 @@ private:
     return makeCandidate(task_, mode, std::move(resolution), context_, clearance_);
   }
 
-  void keep(Candidate&& candidate) {
-    if (candidate.evaluation.betterThan(best_.evaluation)) {
-      best_ = std::move(candidate);
-    }
-  }
-
-  void tryNamed(RedundancyMode mode) {
+  [[nodiscard]] bool isCandidate(RedundancyMode mode) const {
     const bool slow = mode == RedundancyMode::PointByPoint || mode == RedundancyMode::Polynomial;
     // Without a positioner there is nothing to keep at rest.
     const bool same = mode == RedundancyMode::Fixed &&
                       (task_.cell.partCarried() || task_.cell.positionerJoints() == 0);
-    if (!same && !lacksPositioner(mode, task_.cell) &&
-        !(slow && task_.targets.size() > kAllModesTargets)) {
-      keep(candidate(mode, resolveNamed(mode, task_, context_)));
-    }
+    return !same && !lacksPositioner(mode, task_.cell) &&
+           !(slow && task_.targets.size() > kAllModesTargets);
   }
 
   /// Search and refinement from one gravity-aligned reference.
-  void tryFamily(std::size_t family) {
+  [[nodiscard]] std::vector<Candidate> tryFamily(std::size_t family) const {
     SearchFrame frame;
     frame.family = family;
     frame.rungs = chooseRungs(task_, family, kMostRungs);
@@ -110,37 +130,41 @@ private:
       frame.points += segment.last - segment.first + 1;
     }
     frame.moveTable = frame.rungs.size() <= kTableRungs;
-    if (!tryGauges(frame) && !frame.moveTable) {
+    std::vector<Candidate> found = tryGauges(frame);
+    const auto feasible = [](const Candidate& own) { return own.evaluation.feasible(); };
+    if (!frame.moveTable && std::none_of(found.begin(), found.end(), feasible)) {
       frame.moveTable = true;
-      tryGauges(frame);
+      for (Candidate& own : tryGauges(frame)) {
+        found.push_back(std::move(own));
+      }
     }
+    return found;
   }
 
-  /// Search and refinement with both gauges of the torch rotation; true when all constraints hold.
-  bool tryGauges(SearchFrame& frame) {
-    std::vector<std::pair<RefineFrame, Candidate>> found;
+  /// Search and refinement with both gauges of the torch rotation.
+  [[nodiscard]] std::vector<Candidate> tryGauges(SearchFrame& frame) const {
+    std::vector<std::pair<RefineFrame, Candidate>> searches;
     for (const bool following : {false, true}) {
       frame.gauge = following ? followingGauge(task_, frame.family) : constantGauge(task_);
       bool tableFree = false;
       Candidate own = searched(frame, &tableFree);
-      found.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
+      searches.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
       if (tableFree) {
         break;  // the table can follow the path instead
       }
     }
-    context_.report(0.6);
-    const std::size_t better =
-        found.size() > 1 && found[1].second.evaluation.betterThan(found[0].second.evaluation) ? 1
-                                                                                              : 0;
-    bool feasible = false;
-    for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::size_t better = searches.size() > 1 && searches[1].second.evaluation.betterThan(
+                                                          searches[0].second.evaluation)
+                                   ? 1
+                                   : 0;
+    std::vector<Candidate> refined;
+    for (std::size_t k = 0; k < searches.size(); ++k) {
       if (k == better || task_.targets.size() <= kBothGaugesTargets) {
-        Candidate refined = refine(task_, found[k].first, found[k].second, context_, clearance_);
-        feasible = feasible || refined.evaluation.feasible();
-        keep(std::move(refined));
+        refined.push_back(
+            refine(task_, searches[k].first, searches[k].second, context_, clearance_));
       }
     }
-    return feasible;
+    return refined;
   }
 
   /// The graph search; with a clearance again until its path is free: only the states of rungs that
@@ -190,7 +214,6 @@ private:
   const Task& task_;
   const JobContext& context_;
   const collision::Clearance* clearance_;
-  Candidate best_;
 };
 
 }  // namespace

@@ -38,14 +38,6 @@ using BackPointers = std::unique_ptr<std::uint16_t[]>;
 static_assert(kTableSamples * 2 * kLanes <= 65536);
 static_assert(kLanes % kLaneBlock == 0);
 
-/// The same angle within a half turn; cheap where it is within one and a half.
-double shortestTurn(double angle) {
-  if (std::abs(angle) > 3.0 * kPi) {
-    return cell::wrapAngle(angle);
-  }
-  return angle > kPi ? angle - 2.0 * kPi : angle < -kPi ? angle + 2.0 * kPi : angle;
-}
-
 struct Column {
   RungStates states;
   std::vector<float> cost;  ///< 2·kLanes per table, the second half a copy
@@ -155,7 +147,7 @@ private:
   }
 
   double tableCost(const Steps& steps, double from, double to) const {
-    const double d = steps.tableWraps ? shortestTurn(to - from) : to - from;
+    const double d = steps.tableWraps ? cell::wrapAngle(to - from) : to - from;
     double cost = steps.table * d * d;
     if (steps.tableSpeed > 0.0) {
       const double ratio = d * d / (steps.tableSpeed * steps.tableSpeed);
@@ -184,7 +176,7 @@ private:
     const double reach = (kTableBand + 0.5) * builder_.tableStep();
     for (std::size_t k = 0; k < before.tables.size(); ++k) {
       const double d = value - before.tableValues[k];
-      if (wide || std::abs(wraps ? shortestTurn(d) : d) <= reach || before.tables[k] == sample) {
+      if (wide || std::abs(wraps ? cell::wrapAngle(d) : d) <= reach || before.tables[k] == sample) {
         band.push_back(k);
       }
     }

@@ -6,14 +6,7 @@
 
 #include "search_kernel.hpp"
 
-// One clone per instruction set, chosen at load time. Sanitizers do not stand the resolvers.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define WCAM_VECTOR_CLONES \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define WCAM_VECTOR_CLONES
-#endif
+#include "wcam/base/vector_clones.hpp"
 
 // The vectors are never passed to a function that is not inlined.
 #if defined(__GNUC__)
@@ -38,15 +31,13 @@ using Bits = std::int32_t __attribute__((vector_size(kLaneBlock * sizeof(std::in
 
 }  // namespace
 
-#define WCAM_INLINE static inline __attribute__((always_inline))
-
-WCAM_INLINE Lanes load(const float* from) {
+static WCAM_CLONED Lanes load(const float* from) {
   Lanes lanes;
   __builtin_memcpy(&lanes, from, sizeof lanes);
   return lanes;
 }
 
-WCAM_INLINE Lanes spread(float value) {
+static WCAM_CLONED Lanes spread(float value) {
   const Lanes first{value};
   return __builtin_shufflevector(first, first, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
 }
@@ -55,13 +46,13 @@ WCAM_INLINE Lanes spread(float value) {
 /// the choices stay in registers. `kRows`: the first rows are used; `kOne`: a source is one state,
 /// not one for each lane.
 template <int kRows, bool kOne>
-WCAM_INLINE void relaxRows(const float* const* to,
-                           const StepSource* sources,
-                           int sourceCount,
-                           const StepCost& cost,
-                           int lanes,
-                           float* best,
-                           std::int32_t* choice) {
+static WCAM_CLONED void relaxRows(const float* const* to,
+                                  const StepSource* sources,
+                                  int sourceCount,
+                                  const StepCost& cost,
+                                  int lanes,
+                                  float* best,
+                                  std::int32_t* choice) {
   float turn[kRows];
   for (int row = 0; row < kRows; ++row) {
     turn[row] = cost.wraps[row] ? kFullTurn : kNoTurn;
@@ -105,13 +96,13 @@ WCAM_INLINE void relaxRows(const float* const* to,
 }
 
 template <bool kOne>
-WCAM_INLINE void relax(const float* const* to,
-                       const StepSource* sources,
-                       int sourceCount,
-                       const StepCost& cost,
-                       int lanes,
-                       float* best,
-                       std::int32_t* choice) {
+static WCAM_CLONED void relax(const float* const* to,
+                              const StepSource* sources,
+                              int sourceCount,
+                              const StepCost& cost,
+                              int lanes,
+                              float* best,
+                              std::int32_t* choice) {
   if (to[kSearchRows - 1] == nullptr) {
     relaxRows<kSearchRows - 1, kOne>(to, sources, sourceCount, cost, lanes, best, choice);
   } else {
@@ -139,11 +130,11 @@ WCAM_VECTOR_CLONES void relaxFromStates(const float* const* to,
   relax<true>(to, sources, sourceCount, cost, lanes, best, choice);
 }
 
-WCAM_INLINE float wrapped(float angle) {
+static WCAM_CLONED float wrapped(float angle) {
   return angle - kFullTurn * __builtin_rintf(angle * (1.0F / kFullTurn));
 }
 
-WCAM_INLINE float absolute(float value) {
+static WCAM_CLONED float absolute(float value) {
   return value < 0.0F ? -value : value;
 }
 

@@ -158,6 +158,108 @@ double depositedHeight(double speed, const ProcessParams& params) noexcept {
   return 0.5 * (low + high);
 }
 
+namespace {
+
+/// Width of a bead of a height whose section is given: the inverse of wallSection. A bead is at
+/// least as wide as high; a smaller section gives the width = height.
+double widthOfSection(double section, double height) noexcept {
+  double low = height;
+  if (wallSection(height, low) >= section) {
+    return low;
+  }
+  double high = std::max(2.0 * height, kVanishing);
+  // A section grows at least in proportion to the width: a few doublings reach any.
+  constexpr int kDoublings = 60;
+  for (int i = 0; i < kDoublings && wallSection(height, high) < section; ++i) {
+    high *= 2.0;
+  }
+  constexpr int kBisections = 60;  // down to rounding
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (wallSection(height, middle) < section ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// What the process wants of a move, before windows and ramps.
+struct Wanted {
+  double speed = 0.0;
+  double wire = 0.0;
+};
+
+Wanted wantedAt(const toolpath::PathPoint& point, const ProcessParams& params) {
+  const double planned = travelSpeed(point.height, point.width, params);
+  Wanted wanted{planned, params.wireSpeed.value()};
+  const toolpath::ProcessChange& change = point.change;
+  if (change.section == toolpath::SectionRule::Plan) {
+    return wanted;
+  }
+  const double low = params.speedMin.value();
+  const double high = params.speedMax.value();
+  const double base = std::clamp(planned, low, high);
+  wanted.speed = change.speedIsValue ? change.speed : base * change.speed;
+  wanted.wire = change.wireIsValue ? change.wire : wanted.wire * change.wire;
+  const double section = std::max(wallSection(point.height, point.width), kVanishing);
+  if (change.section == toolpath::SectionRule::Wire) {
+    wanted.wire = section * std::clamp(wanted.speed, low, high) / wireArea(params);
+  } else if (change.section == toolpath::SectionRule::Speed) {
+    wanted.speed = wireArea(params) * wanted.wire / section;
+  }
+  return wanted;
+}
+
+/// The bead takes the width that speed and wire make of its height.
+void followWidth(toolpath::PathPoint& point, const Wanted& wanted, const ProcessParams& params) {
+  if (point.change.section == toolpath::SectionRule::Width && point.height > 0.0) {
+    const double speed = std::clamp(wanted.speed, params.speedMin.value(), params.speedMax.value());
+    point.width = widthOfSection(wireArea(params) * wanted.wire / speed, point.height);
+  }
+}
+
+/// Beads that edits leave too little for: even as narrow as high they would need more.
+struct Starved {
+  std::size_t count = 0;
+  double worst = 1.0;  ///< least part of the section that is there
+  int bead = -1;
+  int point = -1;
+
+  void add(const toolpath::PathPoint& at,
+           const Wanted& wanted,
+           const ProcessParams& params,
+           std::size_t beadIndex,
+           std::size_t pointIndex) {
+    if (at.change.section != toolpath::SectionRule::Width || !(at.height > 0.0)) {
+      return;
+    }
+    const double speed = std::clamp(wanted.speed, params.speedMin.value(), params.speedMax.value());
+    const double part = wireArea(params) * wanted.wire / speed / wallSection(at.height, at.height);
+    if (part >= 1.0) {
+      return;
+    }
+    ++count;
+    if (bead < 0 || part < worst) {
+      worst = part;
+      bead = static_cast<int>(beadIndex);
+      point = static_cast<int>(pointIndex);
+    }
+  }
+
+  void report(int layer, const JobContext& context) const {
+    if (count > 0) {
+      constexpr double kPercent = 100.0;
+      context.add({Severity::Warning,
+                   "process.section_too_small",
+                   std::to_string(count) + " points get only " + formatFixed(kPercent * worst, 0) +
+                       " % or more of the wire that the narrowest bead of their height needs",
+                   "lower the speed or raise the wire feed in the edit, or let the other follow",
+                   {{}, layer, bead, point},
+                   {{"points", static_cast<double>(count)}, {"worst_ratio", worst}}});
+    }
+  }
+};
+
+}  // namespace
+
 toolpath::Toolpath applyProcess(toolpath::Toolpath path,
                                 const ProcessParams& params,
                                 const JobContext& context) {
@@ -166,21 +268,25 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
     context.check();
     Outside speeds;
     Outside heights;
+    Starved starved;
     double worstLimit = params.heightMax.value();
     auto& beads = path.layers[l].beads;
     for (std::size_t b = 0; b < beads.size(); ++b) {
       for (std::size_t i = 0; i < beads[b].points.size(); ++i) {
         toolpath::PathPoint& point = beads[b].points[i];
         point.width = point.width > 0.0 ? point.width : params.beadWidth.value();
-        const double wanted = travelSpeed(point.height, point.width, params);
+        const Wanted wanted = wantedAt(point, params);
         const double low = params.speedMin.value();
         const double high = params.speedMax.value();
-        point.wireSpeed = point.arc ? params.wireSpeed.value() * point.wireFactor : 0.0;
-        point.speed = std::clamp(std::clamp(wanted, low, high) * point.speedFactor, low, high);
+        point.wireSpeed = point.arc ? wanted.wire * point.wireFactor : 0.0;
+        point.speed =
+            std::clamp(std::clamp(wanted.speed, low, high) * point.speedFactor, low, high);
         if (!point.arc) {
           continue;
         }
-        speeds.add(wanted, params.speedMin.value(), params.speedMax.value(), b, i);
+        starved.add(point, wanted, params, b, i);
+        followWidth(point, wanted, params);
+        speeds.add(wanted.speed, params.speedMin.value(), params.speedMax.value(), b, i);
         // A bead is never higher than wide: its discs would no longer touch.
         const double heightMax = std::min(params.heightMax.value(), point.width);
         if (heights.add(point.height, params.heightMin.value(), heightMax, b, i)) {
@@ -189,6 +295,7 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
       }
     }
     const auto layer = static_cast<int>(l);
+    starved.report(layer, context);
     if (heights.count > 0) {
       context.add(
           {Severity::Warning,
@@ -228,8 +335,10 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
           continue;
         }
         const double wanted = travelSpeed(point.height, point.width, params);
+        const bool planned = point.change.section == toolpath::SectionRule::Plan;
         s.clampedPoints +=
-            wanted < params.speedMin.value() || wanted > params.speedMax.value() ? 1U : 0U;
+            planned && (wanted < params.speedMin.value() || wanted > params.speedMax.value()) ? 1U
+                                                                                              : 0U;
         if (i > 0) {
           const double length = (point.p - bead.points[i - 1].p).norm();
           s.length += length;

@@ -52,7 +52,10 @@ public:
       bead_ = point.bead;
       put(BeadBegin{layer_, bead_}, {layer_, bead_, -1});
     }
-    move(point, origin, point.arc != arcAfter);
+    move(point, origin, point.arc != arcAfter || point.pause > 0.0);
+    if (point.pause > 0.0) {
+      put(Wait{point.pause}, origin);
+    }
     if (arcAfter && wireSpeed_ != next->wireSpeed) {
       // Before the arc, and within a bead where the feed changes.
       wireSpeed_ = next->wireSpeed;

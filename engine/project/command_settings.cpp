@@ -221,6 +221,49 @@ private:
   bool nodeMatched_ = false;
 };
 
+/// `elbow.edits.slow.factor`, with or without `operations.` in front: the command that sets the
+/// parameter of an edit; nothing when the key has another form.
+std::optional<Command> editCommand(const Document& document,
+                                   const std::string& fullKey,
+                                   const std::string& text) {
+  const std::string list = "operations.";
+  const std::string key = fullKey.starts_with(list) ? fullKey.substr(list.size()) : fullKey;
+  for (const Operation& operation : document.project().operations) {
+    const std::string prefix = operation.id + ".edits.";
+    if (!key.starts_with(prefix)) {
+      continue;
+    }
+    std::vector<std::string> ids;
+    for (const OperationEdit& edit : operation.edits) {
+      ids.push_back(edit.id);
+      const std::string own = prefix + edit.id + ".";
+      if (!key.starts_with(own)) {
+        continue;
+      }
+      const std::string name = key.substr(own.size());
+      Value args = Value::object({{"operation", operation.id}, {"id", edit.id}});
+      if (name == "enabled") {
+        const ParamSchema schema({fieldDef(name, ParamType::Bool)});
+        return Command{"edit.set", args.set(name, schema.parse(name, text))};
+      }
+      const ParamSchema schema = toolpath::editSchema(edit.type).params();
+      if (schema.find(name) == nullptr) {
+        std::vector<std::string> keys;
+        for (const ParamDef& def : schema.defs()) {
+          keys.push_back(def.info.key);
+        }
+        refuse("the edit '" + edit.id + "' has no parameter '" + name + "'" +
+               didYouMean(name, keys));
+      }
+      return Command{"edit.set_param",
+                     args.set("key", name).set("value", schema.parse(name, text))};
+    }
+    refuse("'" + fullKey + "' names no edit of operation '" + operation.id + "'" +
+           didYouMean(key.substr(prefix.size(), key.rfind('.') - prefix.size()), ids));
+  }
+  return std::nullopt;
+}
+
 Value parseFor(const Target& target, const std::string& text) {
   return ParamSchema({target.def}).parse(target.def.info.key, text);
 }
@@ -285,6 +328,9 @@ std::vector<Command> commandsOfSetting(const Document& document,
            "write KEY=VALUE, for example step=2.5mm");
   }
   const std::string text(trimText(setting.substr(equal + 1)));
+  if (auto edit = editCommand(document, key, text)) {
+    return {std::move(*edit)};
+  }
   std::vector<Command> commands;
   for (const Target& target : SettingReader(document, schemas).targets(key)) {
     try {

@@ -7,32 +7,16 @@
 #include "wcam/base/text.hpp"
 #include "wcam/project/project_file.hpp"
 
+#include "command_table.hpp"
 #include "file_schema.hpp"
 
 #include <algorithm>
 
 namespace wcam::project {
 
-namespace {
+namespace detail {
 
-struct Arg {
-  std::string key;
-  FieldType type;
-  bool required;
-  std::string help;
-  bool nullable = false;
-};
-
-struct Definition {
-  std::string id;
-  std::string summary;
-  std::vector<Arg> args;
-  /// The new tree. Arguments have their types; what the tree must keep is checked afterwards.
-  std::function<Value(const Document&, const Value& args)> apply;
-  std::function<std::string(const Value& args)> label;
-};
-
-[[noreturn]] void refuse(const std::string& message, const std::string& hint = {}) {
+void refuse(const std::string& message, const std::string& hint) {
   throw Error(ErrorCode::InvalidArgument, message, {}, hint);
 }
 
@@ -51,7 +35,6 @@ std::vector<std::string> idsOf(const Value& tree, const char* list) {
   return ids;
 }
 
-/// Position of a node in its list. @throws Error(InvalidArgument) with the nearest id
 std::size_t indexOf(const Value& tree, const NodeType& type, const std::string& id) {
   const std::vector<std::string> ids = idsOf(tree, type.list);
   const auto found = std::find(ids.begin(), ids.end(), id);
@@ -61,13 +44,18 @@ std::size_t indexOf(const Value& tree, const NodeType& type, const std::string& 
   return static_cast<std::size_t>(found - ids.begin());
 }
 
-/// The list of a type for writing; made when the file has none.
 Value& mutableList(Value& tree, const NodeType& type) {
   if (!tree.contains(type.list)) {
     setOrdered(tree, type.list, Value::array(), topLevelKeys());
   }
   return *tree.findMutable(type.list);
 }
+
+}  // namespace detail
+
+namespace {
+
+using namespace detail;
 
 Value& mutableNode(Value& tree, const NodeType& type, const Value& args) {
   const std::size_t index = indexOf(tree, type, args.at("id").asString());
@@ -336,6 +324,7 @@ std::vector<Definition> defineAll() {
   for (const NodeType& type : nodeTypes()) {
     defineNodeCommands(type, all);
   }
+  defineEditCommands(all);
   const auto fixed = [](const char* text) {
     return [text](const Value&) { return std::string(text); };
   };
@@ -460,6 +449,17 @@ Value schemaOf(FieldType type) {
       return index;
     case FieldType::Any:
       return Value::object();
+    case FieldType::Edits:
+      return Value::object(
+          {{"type", "array"},
+           {"items",
+            Value::object(
+                {{"type", "object"},
+                 {"properties", Value::object({{"id", id},
+                                               {"type", text},
+                                               {"enabled", Value::object({{"type", "boolean"}})},
+                                               {"params", Value::object({{"type", "object"}})}})},
+                 {"required", Value(Value::Array{Value("id"), Value("type")})}})}});
     case FieldType::Hashes:
       return Value::object({{"type", "object"}, {"additionalProperties", hash}});
   }

@@ -4,6 +4,7 @@
 #include "file_schema.hpp"
 
 #include "wcam/base/text.hpp"
+#include "wcam/toolpath/edits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,46 @@ void checkList(const Value& value,
   }
 }
 
+std::vector<std::string> editKeys() {
+  std::vector<std::string> keys;
+  for (const toolpath::EditTypeInfo& info : toolpath::editTypes()) {
+    keys.emplace_back(info.key);
+  }
+  return keys;
+}
+
+void checkEdits(const Value& value, const std::string& path, std::vector<ParamProblem>& problems) {
+  if (!expectType(value, value.isArray(), "a list", path, problems)) {
+    return;
+  }
+  std::vector<std::string> seen;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const Value& edit = value.asArray()[i];
+    const std::string place = path + "[" + std::to_string(i) + "]";
+    const std::size_t before = problems.size();
+    checkMembers(edit, editNode().fields, place, problems);
+    const Value* id = edit.isObject() ? edit.find("id") : nullptr;
+    if (edit.isObject() && id == nullptr) {
+      add(problems, place, "the key 'id' is missing");
+    } else if (id != nullptr) {
+      checkId(*id, place + ".id", problems);
+    }
+    if (problems.size() > before) {
+      continue;
+    }
+    if (std::find(seen.begin(), seen.end(), id->asString()) != seen.end()) {
+      add(problems, place + ".id",
+          "another edit of the operation has the id '" + id->asString() + "' already");
+    }
+    seen.push_back(id->asString());
+    const std::string& type = edit.at("type").asString();
+    if (!toolpath::editTypeOf(type)) {
+      add(problems, place + ".type",
+          "'" + type + "' is no type of edit" + didYouMean(type, editKeys()));
+    }
+  }
+}
+
 bool isUtf8(std::string_view text) noexcept {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
@@ -230,6 +271,8 @@ const char* toString(FieldType type) noexcept {
       return "index";
     case FieldType::Any:
       return "any";
+    case FieldType::Edits:
+      return "edits";
     case FieldType::Hashes:
       return "hashes";
   }
@@ -295,6 +338,7 @@ const std::vector<NodeType>& nodeTypes() {
         {"params", Object, false, "parameters of the strategy"},
         {"path", Object, false, "parameters of the path: sampling, seam, tool axis"},
         {"motion", Object, false, "parameters of the motion"},
+        {"edits", Edits, false, "changes of the generated toolpath, applied in this order"},
         {"enabled", Bool, false, "false leaves the operation out"}}},
       {"outputs",
        "output",
@@ -306,6 +350,17 @@ const std::vector<NodeType>& nodeTypes() {
       {"plugins", "plugin", "plugins", {{"version", Text, false, "version of the plugin"}}},
   };
   return kTypes;
+}
+
+const NodeType& editNode() {
+  using enum FieldType;
+  static const NodeType kEdit = {"edits",
+                                 "edit",
+                                 "edits",
+                                 {{"type", Text, true, "what it does, see the list of types"},
+                                  {"enabled", Bool, false, "false leaves the edit out"},
+                                  {"params", Object, false, "parameters of the type"}}};
+  return kEdit;
 }
 
 const NodeType* nodeTypeOfList(std::string_view list) noexcept {
@@ -369,6 +424,8 @@ void checkField(const Value& value,
       return checkIndex(value, path, problems);
     case FieldType::Any:
       return;
+    case FieldType::Edits:
+      return checkEdits(value, path, problems);
     case FieldType::Hashes:
       if (expectType(value, value.isObject(), "an object", path, problems)) {
         for (const auto& [name, hash] : value.asObject()) {

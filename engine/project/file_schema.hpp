@@ -27,6 +27,7 @@ enum class FieldType {
   Edge,       ///< index from 0, or a name
   Index,      ///< integer from 0
   Any,        ///< any value
+  Edits,      ///< list of {"id", "type", "enabled", "params"}
   Hashes      ///< {path: sha256, ...}
 };
 const char* toString(FieldType type) noexcept;
@@ -56,6 +57,9 @@ const std::vector<NodeType>& nodeTypes();
 const NodeType* nodeTypeOfList(std::string_view list) noexcept;
 /// Top-level keys in canonical order.
 const std::vector<std::string>& topLevelKeys();
+
+/// Keys of an edit of an operation, in canonical order; "id" comes first and is not listed.
+const NodeType& editNode();
 
 /// Adds what is wrong with one value of a known type.
 void checkField(const Value& value,

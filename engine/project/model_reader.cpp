@@ -114,6 +114,19 @@ Guide guideOf(const Value& node) {
   return guide;
 }
 
+std::vector<OperationEdit> editsOf(const Value& node) {
+  std::vector<OperationEdit> edits;
+  if (const Value* list = node.find("edits")) {
+    for (const Value& edit : list->asArray()) {
+      // The structure has been checked, the type with it.
+      edits.push_back({edit.at("id").asString(),
+                       toolpath::editTypeOf(edit.at("type").asString()).value(),
+                       boolOr(edit, "enabled", true), objectOr(edit, "params")});
+    }
+  }
+  return edits;
+}
+
 Operation operationOf(const Value& node) {
   Operation operation;
   operation.id = node.at("id").asString();
@@ -126,6 +139,7 @@ Operation operationOf(const Value& node) {
   operation.params = objectOr(node, "params");
   operation.path = objectOr(node, "path");
   operation.motion = objectOr(node, "motion");
+  operation.edits = editsOf(node);
   operation.enabled = boolOr(node, "enabled", true);
   return operation;
 }

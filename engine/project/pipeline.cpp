@@ -6,6 +6,7 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/motion/pauses.hpp"
 #include "wcam/program/from_motion.hpp"
 #include "wcam/project/project_file.hpp"
 
@@ -20,9 +21,10 @@ constexpr int kPartVersion = 1;
 constexpr int kSubstrateVersion = 1;
 constexpr int kSliceVersion = 2;
 constexpr int kPathVersion = 1;
+constexpr int kEditsVersion = 1;
 constexpr int kProcessVersion = 1;
 constexpr int kCellVersion = 2;
-constexpr int kMotionVersion = 2;
+constexpr int kMotionVersion = 3;
 constexpr int kProgramVersion = 1;
 
 std::string placementText(const Placement& placement) {
@@ -177,6 +179,13 @@ std::vector<Diagnostic> Pipeline::validate() const {
     checkParams(toolpath::PathParams::schema().params(), operation.path, path + ".path", problems);
     checkParams(motion::MotionParams::schema().params(), operation.motion, path + ".motion",
                 problems);
+    for (std::size_t k = 0; k < operation.edits.size(); ++k) {
+      const OperationEdit& edit = operation.edits[k];
+      const std::string place = path + ".edits[" + std::to_string(k) + "].params";
+      for (ParamProblem& problem : toolpath::validateEdit(edit.type, edit.params, place)) {
+        problems.push_back(std::move(problem));
+      }
+    }
     if (strategy->info.needsFile && operation.file.empty()) {
       problems.push_back(
           {path + ".file", "the strategy " + operation.strategy + " needs a file with a path"});
@@ -372,6 +381,15 @@ OperationResult Pipeline::compute(const std::string& id, const JobContext& conte
   }
 }
 
+OperationResult Pipeline::computePath(const std::string& id, const JobContext& context) const {
+  const Operation& operation = operationOf(id);
+  try {
+    return computeStages(operation, Until::Path, context);
+  } catch (const Error& error) {
+    rethrowIn(error, "operation '" + id + "'");
+  }
+}
+
 motion::PlacementMap Pipeline::searchPlacement(const std::string& id,
                                                const motion::PlacementSearch& search,
                                                const JobContext& context) const {
@@ -391,6 +409,29 @@ motion::PlacementMap Pipeline::searchPlacement(const std::string& id,
   } catch (const Error& error) {
     rethrowIn(error, "operation '" + id + "'");
   }
+}
+
+Staged<toolpath::Toolpath> Pipeline::stageEdits(const Operation& operation,
+                                                const Staged<toolpath::Toolpath>& path,
+                                                const toolpath::PathParams& params,
+                                                const JobContext& context) const {
+  StageKey key("edits", kEditsVersion);
+  key.text(path.key);
+  std::vector<toolpath::Edit> edits;
+  for (const OperationEdit& edit : operation.edits) {
+    if (edit.enabled) {
+      edits.push_back(toolpath::readEdit(edit.id, edit.type, edit.params));
+      key.text(edit.id)
+          .text(toolpath::infoOf(edit.type).key)
+          .params(toolpath::editSchema(edit.type).params().complete(edit.params));
+    }
+  }
+  if (edits.empty()) {
+    return path;
+  }
+  return stage<toolpath::Toolpath>("edits", std::move(key), context, [&](const JobContext& own) {
+    return toolpath::applyEdits(*path.value, edits, params.zones(), own);
+  });
 }
 
 OperationResult Pipeline::computeStages(const Operation& operation,
@@ -465,15 +506,23 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       });
   collectFrom(path);
 
+  const Staged<toolpath::Toolpath> edited = stageEdits(operation, path, pathParams, context);
+  if (edited.key != path.key) {
+    collectFrom(edited);
+  }
+
   StageKey processKey("process", kProcessVersion);
-  processKey.text(path.key).params(processParams);
+  processKey.text(edited.key).params(processParams);
   const auto processed = stage<toolpath::Toolpath>(
       "process", std::move(processKey), context, [&](const JobContext& own) {
-        return process::applyProcess(*path.value, result.process, own);
+        return process::applyProcess(*edited.value, result.process, own);
       });
   collectFrom(processed);
   result.path = processed.value;
 
+  if (until == Until::Path) {
+    return result;
+  }
   const Staged<cell::Cell> cell = stageCell(context);
   collectFrom(cell);
   result.cell = cell.value;
@@ -489,8 +538,13 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   const auto motion = stage<motion::CheckedMotion>(
       "motion", std::move(motionKey), context.portion(0.7, 0.95, "motion"),
       [&](const JobContext& own) {
-        return motion::planCheckedMotion(*processed.value, *cell.value, substrate.value.get(),
-                                         motionParams, operation.id, own);
+        motion::CheckedMotion checked = motion::planCheckedMotion(
+            *processed.value, *cell.value, substrate.value.get(), motionParams, operation.id, own);
+        const toolpath::Toolpath& built = checked.pathChanged ? checked.path : *processed.value;
+        if (motion::hasPauses(built)) {
+          checked.planned = motion::withPauses(std::move(checked.planned), built);
+        }
+        return checked;
       });
   collectFrom(motion);
   result.motion =

@@ -3,6 +3,7 @@
 
 #include "main_window.hpp"
 
+#include "node_form.hpp"
 #include "widgets/layer_slider.hpp"
 #include "widgets/legend.hpp"
 #include "widgets/log_view.hpp"
@@ -252,9 +253,12 @@ void MainWindow::connectAll() {
           [this] { actions_->action("project.cancel")->trigger(); });
   connect(tree_, &ProjectTree::nodeSelected, this, &MainWindow::showNode);
   connect(tree_, &ProjectTree::nodeMenu, this, &MainWindow::nodeMenu);
-  connect(tree_, &ProjectTree::enabledChanged, this, [this](const std::string& id, bool on) {
-    run({"operation.set", Value::object({{"id", id}, {"enabled", on ? Value() : Value(false)}})});
+  connect(tree_, &ProjectTree::enabledChanged, this, [this](const NodeRef& node, bool on) {
+    run(commandOf(session_->document(), node, "node", "enabled", on ? Value() : Value(false)));
   });
+  layers_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(layers_, &QWidget::customContextMenuRequested, this,
+          [this](const QPoint& at) { layerMenu(layers_->mapToGlobal(at)); });
   connect(form_, &ParamForm::edited, this, &MainWindow::editNode);
   connect(diagnostics_, &DiagnosticsTable::activated, this, &MainWindow::jump);
   connect(scene_, &SceneController::coloursChanged, this, [this] {

@@ -130,6 +130,8 @@ private:
   void moveNode(int by);
   void copyNode();
   void pasteNode();
+  /// Adds a copy beside the node, under a free id.
+  void addCopy(const NodeRef& node, Value value);
   void chooseCell();
   void dropPart();
   void showExport();
@@ -137,6 +139,18 @@ private:
   void locateFile(const std::string& list, const std::string& id);
   bool run(const project::Command& command, const std::string& mergeKey = {});
   bool runAll(const QString& label, const std::vector<project::Command>& commands);
+
+  // main_window_edits.cpp: edits of toolpaths
+  void addEdit();
+  /// Adds an edit and shows its form. @return false when it was refused
+  bool makeEdit(const std::string& operation,
+                const std::string& id,
+                const std::string& type,
+                const Value& params);
+  /// An entry for each type of edit, with these parameters.
+  void addEditTypes(QMenu& menu, const Value& params);
+  void addPointEdits(QMenu& menu, std::size_t move);
+  void layerMenu(const QPoint& global);
 
   // main_window_views.cpp: views of the results
   void showDocument();

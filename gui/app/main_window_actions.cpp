@@ -108,6 +108,9 @@ void MainWindow::buildProjectActions() {
   actions_->add("project.add_operation", menu, tr("Add &operation…"),
                 tr("Choose a strategy and add an operation"), "Ctrl+Shift+O", "add",
                 [this] { addOperation(); });
+  actions_->add("project.add_edit", menu, tr("Add &edit of the toolpath…"),
+                tr("Change the generated toolpath: seams, layers, speed, pauses, torch angles"),
+                "Ctrl+Shift+E", "edit", [this] { addEdit(); });
   actions_->add("project.add_substrate", menu, tr("Add &substrate"), tr("Add a plate to build on"),
                 {}, "substrate", [this] { addNode("substrates"); });
   actions_->add("project.add_guide", menu, tr("Add &guide curve"),
@@ -403,6 +406,7 @@ void MainWindow::updateActions() {
     set(id, isNode && editable);
   }
   set("edit.copy", isNode);
+  set("project.add_edit", editable && !session_->document().project().operations.empty());
   set("project.drop", editable && !session_->document().project().parts.empty());
   for (const char* id :
        {"edit.paste", "file.import", "project.add_operation", "project.add_substrate",

@@ -7,8 +7,10 @@
 #include "wcam/project/html_report.hpp"
 
 #include "dialogs.hpp"
+#include "edit_dialog.hpp"
 #include "main_window.hpp"
 #include "node_form.hpp"
+#include "pdf_report.hpp"
 #include "placing.hpp"
 #include "widgets/text.hpp"
 
@@ -52,17 +54,63 @@ bool isPartFile(const QString& file) {
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
-const Value* nodeOf(const project::Document& document, const NodeRef& node) {
-  const Value* list = document.tree().find(node.list);
+/// The list in which a node stands; null when there is none.
+const Value* listOf(const project::Document& document, const NodeRef& node) {
+  const bool isEdit = node.list == "edits";
+  const Value* list = document.tree().find(isEdit ? "operations" : node.list);
   if (list == nullptr || !list->isArray()) {
     return nullptr;
   }
-  for (const Value& item : list->asArray()) {
-    if (item.at("id").asString() == node.id) {
-      return &item;
+  if (!isEdit) {
+    return list;
+  }
+  for (const Value& operation : list->asArray()) {
+    if (operation.at("id").asString() == operationOf(node)) {
+      return operation.find("edits");
     }
   }
   return nullptr;
+}
+
+/// The id of a node in its list.
+std::string ownId(const NodeRef& node) {
+  return node.list == "edits" ? editIdOf(node) : node.id;
+}
+
+/// Position of a node in its list; the size of the list when it is not there.
+std::size_t placeOf(const Value& list, const NodeRef& node) {
+  std::size_t at = 0;
+  while (at < list.size() && list.asArray()[at].at("id").asString() != ownId(node)) {
+    ++at;
+  }
+  return at;
+}
+
+const Value* nodeOf(const project::Document& document, const NodeRef& node) {
+  const Value* list = listOf(document, node);
+  const std::size_t at = list != nullptr ? placeOf(*list, node) : 0;
+  return list != nullptr && at < list->size() ? &list->asArray()[at] : nullptr;
+}
+
+/// A command about a node.
+project::Command nodeCommand(const NodeRef& node, const std::string& verb, Value args) {
+  args.set("id", ownId(node));
+  if (node.list == "edits") {
+    args.set("operation", operationOf(node));
+  }
+  return {nounOf(node.list) + "." + verb, args};
+}
+
+/// The same kind of node beside it, with another id.
+NodeRef siblingOf(const NodeRef& node, const std::string& id) {
+  return node.list == "edits" ? editRef(operationOf(node), id) : NodeRef{node.list, id};
+}
+
+std::string freeIdBeside(const project::Document& document,
+                         const NodeRef& node,
+                         const std::string& wanted) {
+  return node.list == "edits" ? freeEditId(document, operationOf(node), wanted)
+                              : freeId(document, node.list, wanted);
 }
 
 }  // namespace
@@ -385,7 +433,7 @@ void MainWindow::addNode(const std::string& list) {
 void MainWindow::removeNode() {
   const NodeRef node = tree_->selected();
   if (!node.id.empty()) {
-    run({nounOf(node.list) + ".remove", Value::object({{"id", node.id}})});
+    run(nodeCommand(node, "remove", Value::object()));
   }
 }
 
@@ -395,11 +443,12 @@ void MainWindow::renameNode() {
     return;
   }
   bool ok = false;
-  const QString to = QInputDialog::getText(this, tr("Rename"), tr("New id of %1").arg(qt(node.id)),
-                                           QLineEdit::Normal, qt(node.id), &ok);
-  if (ok && run({nounOf(node.list) + ".rename",
-                 Value::object({{"id", node.id}, {"to", utf8(to.trimmed())}})})) {
-    tree_->select({node.list, utf8(to.trimmed())});
+  const QString old = qt(ownId(node));
+  const QString to = QInputDialog::getText(this, tr("Rename"), tr("New id of %1").arg(old),
+                                           QLineEdit::Normal, old, &ok);
+  const std::string id = utf8(to.trimmed());
+  if (ok && run(nodeCommand(node, "rename", Value::object({{"to", id}})))) {
+    tree_->select(siblingOf(node, id));
   }
 }
 
@@ -411,25 +460,24 @@ void MainWindow::copyNode() {
   }
   const QByteArray text = QByteArray::fromStdString(
       toCanonicalJson(Value::object({{"list", node.list}, {"node", *value}})));
-  auto* data = new QMimeData;
-  data->setData(kNodeFormat, text);
-  data->setText(QString::fromUtf8(text));
-  QApplication::clipboard()->setMimeData(data);
+  auto* mime = new QMimeData;
+  mime->setData(kNodeFormat, text);
+  mime->setText(QString::fromUtf8(text));
+  QApplication::clipboard()->setMimeData(mime);
 }
 
 void MainWindow::pasteNode() {
-  const QMimeData* data = QApplication::clipboard()->mimeData();
+  const QMimeData* mime = QApplication::clipboard()->mimeData();
   const QByteArray text =
-      data->hasFormat(kNodeFormat) ? data->data(kNodeFormat) : data->text().toUtf8();
+      mime->hasFormat(kNodeFormat) ? mime->data(kNodeFormat) : mime->text().toUtf8();
   try {
     const Value copied = parseJson(text.toStdString(), "clipboard");
-    const std::string list = copied.at("list").asString();
-    Value node = copied.at("node");
-    const std::string id = freeId(session_->document(), list, node.at("id").asString());
-    node.set("id", id);
-    if (run({nounOf(list) + ".add", node})) {
-      tree_->select({list, id});
+    NodeRef node{copied.at("list").asString(), copied.at("node").at("id").asString()};
+    if (node.list == "edits") {
+      // An edit goes to the operation that is shown.
+      node = editRef(shownOperation(), node.id);
     }
+    addCopy(node, copied.at("node"));
   } catch (const Error&) {
     notify(Status::Warning, tr("The clipboard holds no node of a project."));
   }
@@ -437,32 +485,28 @@ void MainWindow::pasteNode() {
 
 void MainWindow::duplicateNode() {
   const NodeRef node = tree_->selected();
-  const Value* value = nodeOf(session_->document(), node);
-  if (value == nullptr) {
-    return;
+  if (const Value* value = nodeOf(session_->document(), node)) {
+    addCopy(node, *value);
   }
-  Value copy = *value;
-  const std::string id = freeId(session_->document(), node.list, node.id);
-  copy.set("id", id);
-  if (run({nounOf(node.list) + ".add", copy})) {
-    tree_->select({node.list, id});
+}
+
+void MainWindow::addCopy(const NodeRef& node, Value value) {
+  const NodeRef copy =
+      siblingOf(node, freeIdBeside(session_->document(), node, value.at("id").asString()));
+  if (run(nodeCommand(copy, "add", std::move(value)))) {
+    tree_->select(copy);
   }
 }
 
 void MainWindow::moveNode(int by) {
   const NodeRef node = tree_->selected();
-  const Value* list = session_->document().tree().find(node.list);
+  const Value* list = listOf(session_->document(), node);
   if (list == nullptr || node.id.empty()) {
     return;
   }
-  const auto& nodes = list->asArray();
-  const auto at = std::find_if(nodes.begin(), nodes.end(),
-                               [&](const Value& v) { return v.at("id").asString() == node.id; }) -
-                  nodes.begin();
-  const auto to = at + by;
-  if (to >= 0 && to < static_cast<std::ptrdiff_t>(nodes.size())) {
-    run({nounOf(node.list) + ".move",
-         Value::object({{"id", node.id}, {"index", static_cast<std::int64_t>(to)}})});
+  const auto to = static_cast<std::int64_t>(placeOf(*list, node)) + by;
+  if (to >= 0 && to < static_cast<std::int64_t>(list->size())) {
+    run(nodeCommand(node, "move", Value::object({{"index", to}})));
   }
 }
 
@@ -475,7 +519,7 @@ void MainWindow::saveReport() {
   const std::filesystem::path base = session_->base();
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save report"), qt(pathText(base.parent_path() / (base.stem().string() + ".html"))),
-      tr("Web pages (*.html)"));
+      tr("Web pages (*.html);;PDF documents (*.pdf)"));
   if (!file.isEmpty()) {
     writeReport(pathFromText(utf8(file)));
   }
@@ -501,7 +545,13 @@ void MainWindow::writeReport(const std::filesystem::path& file) {
          const project::RunResult result = project::runProject(pipeline, request, context);
          std::string html = project::htmlReport(pipeline.document(), result);
          html.insert(std::min(html.rfind("</body>"), html.size()), picture);
-         writeFileAtomically(file, html);
+         if (file.extension() == ".pdf") {
+           const QByteArray pdf = pdfReport(html);
+           writeFileAtomically(
+               file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
+         } else {
+           writeFileAtomically(file, html);
+         }
        },
        [this, file](const std::optional<Error>& error) {
          if (!error) {

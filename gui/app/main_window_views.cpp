@@ -96,9 +96,12 @@ const GeneratedPart* MainWindow::pickedPart(const viewport::Pick& pick) const {
 }
 
 void MainWindow::showNode(const NodeRef& node) {
-  if (node.list == "operations" && !node.id.empty() && node.id != chosenOperation_) {
-    chosenOperation_ = node.id;
-    session_->setFirst(node.id);
+  const std::string operation = node.list == "edits"        ? operationOf(node)
+                                : node.list == "operations" ? node.id
+                                                            : std::string();
+  if (!operation.empty() && operation != chosenOperation_) {
+    chosenOperation_ = operation;
+    session_->setFirst(operation);
     scene_->setResults(session_->generated(), shownOperation());
     programDelay_.start();
   }
@@ -164,6 +167,22 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
                   tr("%1 violations, %2 warnings").arg(counts[2]).arg(counts[1]);
     }
   }
+  // Edits that find nothing, or only a part, say so; those with no finding need no badge.
+  for (const GeneratedOperation& operation : results.operations) {
+    if (stale || !operation.path) {
+      continue;
+    }
+    for (const Diagnostic& finding : operation.path->result().findings) {
+      const QString quoted = qt(finding.message).section('\'', 1, 1);
+      if (finding.code.starts_with("edit.") && !quoted.isEmpty()) {
+        Badge& badge = badges[editRef(operation.id, utf8(quoted))];
+        const Status status =
+            finding.severity == Severity::Information ? Status::Information : Status::Warning;
+        badge.status = badge.status == Status::Warning ? Status::Warning : status;
+        badge.tip += (badge.tip.isEmpty() ? "" : "\n") + qt(finding.message);
+      }
+    }
+  }
   if (!project.cell.empty()) {
     badges[{"cell", {}}] =
         results.cell ? Badge{Status::Ok, qt(results.cell->description)} : Badge{};
@@ -177,8 +196,15 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
           match.hasMatch() ? session_->document().tree().find(utf8(match.captured(1))) : nullptr;
       const auto index = static_cast<std::size_t>(match.captured(2).toInt());
       if (list != nullptr && list->isArray() && index < list->size()) {
-        badges[{utf8(match.captured(1)), list->asArray()[index].at("id").asString()}] = {
-            Status::Error, line.trimmed()};
+        const std::string id = list->asArray()[index].at("id").asString();
+        badges[{utf8(match.captured(1)), id}] = {Status::Error, line.trimmed()};
+        static const QRegularExpression kEdit("^\\.edits\\[(\\d+)\\]");
+        const QRegularExpressionMatch edit = kEdit.match(match.captured(3));
+        const project::Operation* operation = project.operation(id);
+        const auto at = static_cast<std::size_t>(edit.captured(1).toInt());
+        if (edit.hasMatch() && operation != nullptr && at < operation->edits.size()) {
+          badges[editRef(id, operation->edits[at].id)] = {Status::Error, line.trimmed()};
+        }
       }
     }
   }
@@ -440,8 +466,9 @@ void MainWindow::jump(const FindingRow& row) {
 void MainWindow::nodeMenu(const NodeRef& node, const QPoint& global) {
   QMenu menu(this);
   const auto add = [&](const char* id) { menu.addAction(actions_->action(id)); };
-  if (node.list == "operations") {
+  if (node.list == "operations" || node.list == "edits") {
     add("project.add_operation");
+    add("project.add_edit");
   } else if (node.list == "parts") {
     add("file.import");
     add("project.drop");
@@ -531,6 +558,7 @@ void MainWindow::pickMenu(const viewport::Pick& pick, const QPoint& global) {
                      actions_->action("play.single")->setChecked(true);
                      state_.jumpTo(move);
                    });
+    addPointEdits(menu, move);
     menu.addAction(tr("Seams towards this point"), this, [this, move, operation] {
       // The direction of aligned seams, seen from the middle of what is built.
       const auto box = view_->scene().bounds();

@@ -5,6 +5,7 @@
 
 #include "wcam/base/text.hpp"
 #include "wcam/plugin/locations.hpp"
+#include "wcam/toolpath/edits.hpp"
 
 #include "model/generation.hpp"
 #include "widgets/text.hpp"
@@ -305,6 +306,44 @@ Value listOf(const std::string& text, bool numbers) {
   return list;
 }
 
+const project::OperationEdit* editOf(const project::Document& document, const NodeRef& node) {
+  const project::Operation* operation = document.project().operation(operationOf(node));
+  if (operation == nullptr) {
+    return nullptr;
+  }
+  const auto found = std::find_if(
+      operation->edits.begin(), operation->edits.end(),
+      [id = editIdOf(node)](const project::OperationEdit& edit) { return edit.id == id; });
+  return found == operation->edits.end() ? nullptr : &*found;
+}
+
+NodeForm editForm(const project::Document& document, const NodeRef& node) {
+  const project::OperationEdit* edit = editOf(document, node);
+  if (edit == nullptr) {
+    return {};
+  }
+  const toolpath::EditTypeInfo& info = toolpath::infoOf(edit->type);
+  const Value value = edit->enabled ? Value::object() : Value::object({{"enabled", false}});
+  Fields fields(document, value);
+  fields.addField("enabled", NodeText::tr("Enabled"), ParamType::Bool, Value(true),
+                  QuantityKind::None, NodeText::tr("an edit that is not enabled is left out"));
+  return {qt(edit->id),
+          {fields.section(NodeText::tr("Settings")),
+           {"params", engineText(info.name), toolpath::editSchema(edit->type).params(),
+            edit->params, document.readOnly()}}};
+}
+
+project::Command editCommand(const NodeRef& node,
+                             const std::string& section,
+                             const std::string& key,
+                             const Value& value) {
+  Value args = Value::object({{"operation", operationOf(node)}, {"id", editIdOf(node)}});
+  if (section == "node") {
+    return {"edit.set", args.set(key, value)};
+  }
+  return {"edit.set_param", args.set("key", key).set("value", value)};
+}
+
 }  // namespace
 
 std::string nounOf(const std::string& list) {
@@ -330,6 +369,9 @@ NodeForm formOf(const project::Document& document,
                 const plugin::PluginHost& plugins) {
   if (node.list == "cell") {
     return cellForm(document);
+  }
+  if (node.list == "edits") {
+    return editForm(document, node);
   }
   const Value* value = nodeValue(document, node);
   if (value == nullptr) {
@@ -372,6 +414,9 @@ project::Command commandOf(const project::Document& document,
   if (node.list == "cell") {
     return isEmpty ? project::Command{"cell.remove", Value::object()}
                    : project::Command{"cell.set", Value::object({{"file", fileRef(value)}})};
+  }
+  if (node.list == "edits") {
+    return editCommand(node, section, key, value);
   }
   const std::string noun = nounOf(node.list);
   if (section != "node") {

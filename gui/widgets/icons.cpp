@@ -199,6 +199,15 @@ const std::map<QString, Draw>& drawings() {
            p.drawEllipse(QPointF(12, 7.0 + 3.8 * i), 8.0 - 0.4 * (3 - i), 3.0);
          }
        }},
+      {"edit",
+       [](QPainter& p, const QColor& l, const QColor& a) {
+         pen(p, l, 2.2);
+         for (int i = 0; i < 3; ++i) {
+           p.drawLine(QPointF(3, 13.0 + 4 * i), QPointF(15 - 2.0 * i, 13.0 + 4 * i));
+         }
+         pen(p, a);
+         polygon(p, {{11, 15}, {12, 11}, {19, 4}, {22, 7}, {15, 14}});
+       }},
       {"output",
        [](QPainter& p, const QColor& l, const QColor& a) {
          pen(p, l);

@@ -104,7 +104,7 @@ void LayerSlider::paintEvent(QPaintEvent*) {
 }
 
 void LayerSlider::mousePressEvent(QMouseEvent* event) {
-  if (state_.layerCount() == 0) {
+  if (state_.layerCount() == 0 || event->button() != Qt::LeftButton) {
     return;
   }
   const double y = event->position().y();

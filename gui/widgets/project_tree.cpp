@@ -37,6 +37,27 @@ QStandardItem* badgeItem(const NodeRef& node) {
 
 }  // namespace
 
+NodeRef editRef(const std::string& operation, const std::string& edit) {
+  return {"edits", operation + "/" + edit};
+}
+
+std::string operationOf(const NodeRef& edit) {
+  return edit.id.substr(0, edit.id.find('/'));
+}
+
+std::string editIdOf(const NodeRef& edit) {
+  return edit.id.substr(edit.id.find('/') + 1);
+}
+
+template <class Visit>
+void ProjectTree::forNodes(const Visit& visit, const QModelIndex& parent) const {
+  for (int i = 0; i < model_.rowCount(parent); ++i) {
+    const QModelIndex index = model_.index(i, 0, parent);
+    visit(index);
+    forNodes(visit, index);
+  }
+}
+
 ProjectTree::ProjectTree(QWidget* parent) : QTreeView(parent) {
   setObjectName("projectTree");
   setAccessibleName(tr("Project"));
@@ -55,7 +76,7 @@ ProjectTree::ProjectTree(QWidget* parent) : QTreeView(parent) {
           });
   connect(&model_, &QStandardItemModel::itemChanged, this, [this](QStandardItem* item) {
     if (!filling_ && item->isCheckable()) {
-      emit enabledChanged(utf8(item->data(kIdRole).toString()), item->checkState() == Qt::Checked);
+      emit enabledChanged(nodeOf(item->index()), item->checkState() == Qt::Checked);
     }
   });
 }
@@ -69,19 +90,13 @@ NodeRef ProjectTree::selected() const {
 }
 
 QModelIndex ProjectTree::indexOf(const NodeRef& node) const {
-  for (int i = 0; i < model_.rowCount(); ++i) {
-    const QModelIndex top = model_.index(i, 0);
-    if (nodeOf(top) == node) {
-      return top;
+  QModelIndex found;
+  forNodes([&](const QModelIndex& index) {
+    if (!found.isValid() && nodeOf(index) == node) {
+      found = index;
     }
-    for (int j = 0; j < model_.rowCount(top); ++j) {
-      const QModelIndex child = model_.index(j, 0, top);
-      if (nodeOf(child) == node) {
-        return child;
-      }
-    }
-  }
-  return {};
+  });
+  return found;
 }
 
 void ProjectTree::select(const NodeRef& node) {
@@ -96,11 +111,11 @@ void ProjectTree::setDocument(const project::Document& document) {
   document_ = document;
   const NodeRef before = selected();
   std::set<NodeRef> closed;
-  for (int i = 0; i < model_.rowCount(); ++i) {
-    if (!isExpanded(model_.index(i, 0))) {
-      closed.insert(nodeOf(model_.index(i, 0)));
+  forNodes([&](const QModelIndex& index) {
+    if (model_.hasChildren(index) && !isExpanded(index)) {
+      closed.insert(nodeOf(index));
     }
-  }
+  });
   filling_ = true;
   model_.clear();
   model_.setColumnCount(2);
@@ -122,7 +137,17 @@ void ProjectTree::setDocument(const project::Document& document) {
       if constexpr (requires { node.enabled; }) {
         item->setCheckable(true);
         item->setCheckState(node.enabled ? Qt::Checked : Qt::Unchecked);
+      }
+      if constexpr (requires { node.edits; }) {
         item->setToolTip(tr("Strategy: %1").arg(qt(node.strategy)));
+        for (const project::OperationEdit& edit : node.edits) {
+          const NodeRef own = editRef(node.id, edit.id);
+          QStandardItem* child = itemOf(own, qt(edit.id), "edit");
+          child->setCheckable(true);
+          child->setCheckState(edit.enabled ? Qt::Checked : Qt::Unchecked);
+          child->setToolTip(engineText(toolpath::infoOf(edit.type).name));
+          item->appendRow({child, badgeItem(own)});
+        }
       }
       top->appendRow({item, badgeItem(ref)});
     }
@@ -137,10 +162,7 @@ void ProjectTree::setDocument(const project::Document& document) {
   addList("processes", tr("Processes"), "process", project.processes);
   addList("operations", tr("Operations"), "operation", project.operations);
   addList("outputs", tr("Outputs"), "output", project.outputs);
-  for (int i = 0; i < model_.rowCount(); ++i) {
-    const QModelIndex top = model_.index(i, 0);
-    setExpanded(top, closed.count(nodeOf(top)) == 0);
-  }
+  forNodes([&](const QModelIndex& index) { setExpanded(index, closed.count(nodeOf(index)) == 0); });
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(20);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -170,13 +192,7 @@ void ProjectTree::showBadges() {
     item->setIcon(statusIcon(own.status));
     item->setToolTip(own.tip);
   };
-  for (int i = 0; i < model_.rowCount(); ++i) {
-    const QModelIndex top = model_.index(i, 0);
-    show(top);
-    for (int j = 0; j < model_.rowCount(top); ++j) {
-      show(model_.index(j, 0, top));
-    }
-  }
+  forNodes(show);
 }
 
 Badge ProjectTree::badge(const NodeRef& node) const {

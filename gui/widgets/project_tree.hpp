@@ -15,7 +15,8 @@
 
 namespace wcam::gui {
 
-/// A node of the project: list "parts" and id, "cell" without id, or a list alone.
+/// A node of the project: list "parts" and id, "cell" without id, or a list alone. An edit of an
+/// operation has the list "edits" and the id "operation/edit".
 struct NodeRef {
   std::string list;
   std::string id;
@@ -24,13 +25,18 @@ struct NodeRef {
   [[nodiscard]] bool empty() const { return list.empty(); }
 };
 
+/// The node of an edit, and what it names.
+NodeRef editRef(const std::string& operation, const std::string& edit);
+std::string operationOf(const NodeRef& edit);
+std::string editIdOf(const NodeRef& edit);
+
 struct Badge {
   Status status = Status::None;
   QString tip;
 };
 
-/// The project as a tree: cell, parts, substrates, guides, processes, operations, outputs, each
-/// with a badge. Selection and open branches stay over changes of the document.
+/// The project as a tree: cell, parts, substrates, guides, processes, operations with their edits,
+/// outputs, each with a badge. Selection and open branches stay over changes of the document.
 class ProjectTree : public QTreeView {
   Q_OBJECT
 
@@ -47,7 +53,7 @@ public:
 signals:
   void nodeSelected(const wcam::gui::NodeRef& node);
   void nodeMenu(const wcam::gui::NodeRef& node, const QPoint& global);
-  void enabledChanged(const std::string& operation, bool enabled);
+  void enabledChanged(const wcam::gui::NodeRef& node, bool enabled);
 
 protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -56,6 +62,9 @@ private:
   [[nodiscard]] QModelIndex indexOf(const NodeRef& node) const;
   [[nodiscard]] static NodeRef nodeOf(const QModelIndex& index);
   void showBadges();
+  /// Calls visit(index) for every node, parents first.
+  template <class Visit>
+  void forNodes(const Visit& visit, const QModelIndex& parent = {}) const;
 
   QStandardItemModel model_;
   std::map<NodeRef, Badge> badges_;

@@ -223,6 +223,10 @@
         <source>working surface of a solid wall</source>
         <translation>surface de travail d’une paroi épaisse</translation>
     </message>
+    <message>
+        <source>an edit that is not enabled is left out</source>
+        <translation>une retouche désactivée est ignorée</translation>
+    </message>
 </context>
 <context>
     <name>engine</name>
@@ -719,7 +723,7 @@
         <translation>Branches</translation>
     </message>
     <message>
-        <source>By the axis rules of the path, from the file's normals</source>
+        <source>By the axis rules of the path, from the file&apos;s normals</source>
         <translation>Par les règles d’axe, avec les normales du fichier</translation>
     </message>
     <message>
@@ -787,7 +791,7 @@
         <translation>Continu : parois et zigzag en le moins de cordons possible</translation>
     </message>
     <message>
-        <source>Contour is the bead's</source>
+        <source>Contour is the bead&apos;s</source>
         <translation>Le contour est du cordon</translation>
     </message>
     <message>
@@ -919,7 +923,7 @@
         <translation>Contours supplémentaires</translation>
     </message>
     <message>
-        <source>Global: the substrate's build direction</source>
+        <source>Global: the substrate&apos;s build direction</source>
         <translation>Globale : direction de construction du substrat</translation>
     </message>
     <message>
@@ -1231,7 +1235,7 @@
         <translation>Lignes parallèles, jointes aux extrémités</translation>
     </message>
     <message>
-        <source>Parallel planes at a constant step or at adaptive heights, in any build direction; or the substrate's surface moved up.</source>
+        <source>Parallel planes at a constant step or at adaptive heights, in any build direction; or the substrate&apos;s surface moved up.</source>
         <translation>Plans parallèles à pas constant ou à hauteurs adaptatives, dans toute direction ; ou la surface du substrat déplacée vers le haut.</translation>
     </message>
     <message>
@@ -1447,11 +1451,11 @@
         <translation>Prend la trajectoire d’une table de points au lieu de trancher la pièce.</translation>
     </message>
     <message>
-        <source>The bead's centre</source>
+        <source>The bead&apos;s centre</source>
         <translation>Le centre du cordon</translation>
     </message>
     <message>
-        <source>The bead's side: it stays on the surface</source>
+        <source>The bead&apos;s side: it stays on the surface</source>
         <translation>Le côté du cordon : il reste sur la surface</translation>
     </message>
     <message>
@@ -1463,7 +1467,7 @@
         <translation>La distance à la base le long de la paroi</translation>
     </message>
     <message>
-        <source>The substrate's surface</source>
+        <source>The substrate&apos;s surface</source>
         <translation>La surface du substrat</translation>
     </message>
     <message>
@@ -1491,7 +1495,7 @@
         <translation>Parois seules</translation>
     </message>
     <message>
-        <source>What lies on the part's surface</source>
+        <source>What lies on the part&apos;s surface</source>
         <translation>Ce qui est sur la surface de la pièce</translation>
     </message>
     <message>
@@ -1590,6 +1594,318 @@
         <source>Wire feed follows the speed</source>
         <translation>Le fil suit la vitesse</translation>
     </message>
+    <message>
+        <source>A length further on</source>
+        <translation>Une longueur plus loin</translation>
+    </message>
+    <message>
+        <source>Add to what is planned</source>
+        <translation>Ajouter à ce qui est prévu</translation>
+    </message>
+    <message>
+        <source>After the bead</source>
+        <translation>Après le cordon</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Angle of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As given</source>
+        <translation>Comme indiqué</translation>
+    </message>
+    <message>
+        <source>At a length: the bead is cut there</source>
+        <translation>À une longueur : le cordon y est coupé</translation>
+    </message>
+    <message>
+        <source>Beads run the other way.</source>
+        <translation>Les cordons sont parcourus dans l’autre sens.</translation>
+    </message>
+    <message>
+        <source>Before the bead</source>
+        <translation>Avant le cordon</translation>
+    </message>
+    <message>
+        <source>Between two lengths along the bead</source>
+        <translation>Entre deux longueurs le long du cordon</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Transition</translation>
+    </message>
+    <message>
+        <source>Builds a range of layers several times, one above the other.</source>
+        <translation>Dépose plusieurs fois une suite de couches, l’une sur l’autre.</translation>
+    </message>
+    <message>
+        <source>By a factor of what is planned</source>
+        <translation>Par un facteur de ce qui est prévu</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changement</translation>
+    </message>
+    <message>
+        <source>Change the lateral tilt</source>
+        <translation>Changer l’inclinaison latérale</translation>
+    </message>
+    <message>
+        <source>Change the lead angle</source>
+        <translation>Changer l’angle d’avance</translation>
+    </message>
+    <message>
+        <source>Change the travel speed</source>
+        <translation>Changer la vitesse d’avance</translation>
+    </message>
+    <message>
+        <source>Change the wire feed</source>
+        <translation>Changer la vitesse de fil</translation>
+    </message>
+    <message>
+        <source>Close the gap</source>
+        <translation>Combler le vide</translation>
+    </message>
+    <message>
+        <source>Closed beads start at another place.</source>
+        <translation>Les cordons fermés commencent à un autre endroit.</translation>
+    </message>
+    <message>
+        <source>Constant rotation about the torch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Degree of the polynomial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete layers</source>
+        <translation>Supprimer des couches</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>Exactly there</source>
+        <translation>Exactement là</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>First layer</source>
+        <translation>Première couche</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>In a direction from the centre</source>
+        <translation>Dans une direction depuis le centre</translation>
+    </message>
+    <message>
+        <source>In a range of layers, a region or a piece of a bead.</source>
+        <translation>Dans une suite de couches, une région ou un morceau de cordon.</translation>
+    </message>
+    <message>
+        <source>Inside a box</source>
+        <translation>Dans une boîte</translation>
+    </message>
+    <message>
+        <source>Inside a sphere</source>
+        <translation>Dans une sphère</translation>
+    </message>
+    <message>
+        <source>Last layer</source>
+        <translation>Dernière couche</translation>
+    </message>
+    <message>
+        <source>Leaves out a range of layers, for example what stands already.</source>
+        <translation>Omet une suite de couches, par exemple ce qui est déjà construit.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Limit of the cable&apos;s twist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the seam</source>
+        <translation>Déplacer les débuts de cordon</translation>
+    </message>
+    <message>
+        <source>Nearest to a point</source>
+        <translation>Au plus près d’un point</translation>
+    </message>
+    <message>
+        <source>New start</source>
+        <translation>Nouveau départ</translation>
+    </message>
+    <message>
+        <source>Objectives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Offset of a repetition</source>
+        <translation>Décalage d’une répétition</translation>
+    </message>
+    <message>
+        <source>On one side of a plane</source>
+        <translation>D’un côté d’un plan</translation>
+    </message>
+    <message>
+        <source>Optimized over the operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Point by point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polynomial in each bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positioner at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Redundancy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Repeat layers</source>
+        <translation>Répéter des couches</translation>
+    </message>
+    <message>
+        <source>Repetitions</source>
+        <translation>Répétitions</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Le remplacer</translation>
+    </message>
+    <message>
+        <source>Resolution of the joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Robot in one plane, torch vertical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Table turns evenly along the bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table turns the point to one azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table turns the tool axis to one azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The thickness of the range</source>
+        <translation>L’épaisseur de la suite de couches</translation>
+    </message>
+    <message>
+        <source>The torch leans forward or back along the travel.</source>
+        <translation>La torche penche vers l’avant ou l’arrière de l’avance.</translation>
+    </message>
+    <message>
+        <source>The torch leans to the side.</source>
+        <translation>La torche penche de côté.</translation>
+    </message>
+    <message>
+        <source>The torch waits with the arc off, for example until a layer is cold.</source>
+        <translation>La torche attend, arc éteint, par exemple qu’une couche refroidisse.</translation>
+    </message>
+    <message>
+        <source>The travel speed: the section of the bead stays</source>
+        <translation>La vitesse d’avance : la section du cordon reste</translation>
+    </message>
+    <message>
+        <source>The width of the bead</source>
+        <translation>La largeur du cordon</translation>
+    </message>
+    <message>
+        <source>The wire feed: the section of the bead stays</source>
+        <translation>Le fil : la section du cordon reste</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>To a travel speed</source>
+        <translation>À une vitesse d’avance</translation>
+    </message>
+    <message>
+        <source>To a wire feed speed</source>
+        <translation>À une vitesse de fil</translation>
+    </message>
+    <message>
+        <source>Tolerance of lead and lateral tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn of the table per bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Untwisted cable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What follows</source>
+        <translation>Ce qui suit</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -1648,6 +1964,10 @@
     <message>
         <source>Joint-limit margin</source>
         <translation>Marge aux butées</translation>
+    </message>
+    <message>
+        <source>Distance to collision</source>
+        <translation>Distance de collision</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -1761,6 +2081,25 @@
     </message>
 </context>
 <context>
+    <name>wcam::gui::EditDialog</name>
+    <message>
+        <source>Add an edit of the toolpath</source>
+        <translation>Ajouter une retouche de la trajectoire</translation>
+    </message>
+    <message>
+        <source>What the edit does</source>
+        <translation>Ce que fait la retouche</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Opération</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+</context>
+<context>
     <name>wcam::gui::ExportDialog</name>
     <message>
         <source>Export programs</source>
@@ -1807,7 +2146,7 @@
         <translation>Annulé : rien n’a été écrit.</translation>
     </message>
     <message>
-        <source>Operation '%1' violates checks and gets no robot program.</source>
+        <source>Operation &apos;%1&apos; violates checks and gets no robot program.</source>
         <translation>L’opération « %1 » viole des contrôles et n’obtient pas de programme robot.</translation>
     </message>
     <message>
@@ -2866,8 +3205,8 @@
         <translation>Enregistrer le rapport</translation>
     </message>
     <message>
-        <source>Web pages (*.html)</source>
-        <translation>Pages web (*.html)</translation>
+        <source>Web pages (*.html);;PDF documents (*.pdf)</source>
+        <translation>Pages web (*.html);;Documents PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Report</source>
@@ -2876,6 +3215,58 @@
     <message>
         <source>The report is written to %1</source>
         <translation>Le rapport est écrit dans %1</translation>
+    </message>
+    <message>
+        <source>Add &amp;edit of the toolpath…</source>
+        <translation>Ajouter une &amp;retouche de la trajectoire…</translation>
+    </message>
+    <message>
+        <source>Change the generated toolpath: seams, layers, speed, pauses, torch angles</source>
+        <translation>Changer la trajectoire générée : débuts de cordon, couches, vitesse, pauses, angles de torche</translation>
+    </message>
+    <message>
+        <source>Edit layer %1</source>
+        <translation>Retoucher la couche %1</translation>
+    </message>
+    <message>
+        <source>Edit layers %1 to %2</source>
+        <translation>Retoucher les couches %1 à %2</translation>
+    </message>
+    <message>
+        <source>Edit the toolpath here</source>
+        <translation>Retoucher la trajectoire ici</translation>
+    </message>
+    <message>
+        <source>Move the seams of the shown layers here</source>
+        <translation>Amener ici les débuts de cordon des couches affichées</translation>
+    </message>
+    <message>
+        <source>Pause before this bead</source>
+        <translation>Pause avant ce cordon</translation>
+    </message>
+    <message>
+        <source>Reverse this bead</source>
+        <translation>Inverser ce cordon</translation>
+    </message>
+    <message>
+        <source>Change the travel speed around this point</source>
+        <translation>Changer la vitesse d’avance autour de ce point</translation>
+    </message>
+    <message>
+        <source>Change the wire feed around this point</source>
+        <translation>Changer la vitesse de fil autour de ce point</translation>
+    </message>
+    <message>
+        <source>Change the lead angle around this point</source>
+        <translation>Changer l’angle d’avance autour de ce point</translation>
+    </message>
+    <message>
+        <source>Delete layer %1</source>
+        <translation>Supprimer la couche %1</translation>
+    </message>
+    <message>
+        <source>Repeat layer %1</source>
+        <translation>Répéter la couche %1</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "wcam/base/parallel.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/cell/angles.hpp"
+#include "wcam/motion/collisions.hpp"
 
 #include "../unit/motion/paths.hpp"
 #include "cell_model.hpp"
@@ -262,6 +263,12 @@ void benchLong() {
   std::printf("%zu points with the 2-axis positioner, 2 threads: %.2f s, cost %.5f, %zu broken\n",
               path.pointCount(), times.min(), planned.statistics.evaluation.cost,
               planned.statistics.evaluation.allBroken());
+  bench::Times checked;
+  const CheckedMotion whole = checked.measure(
+      [&] { return planCheckedMotion(path, cell, nullptr, MotionParams(), "op", JobContext()); });
+  std::printf(
+      "the same with collisions and findings: %.2f s, %zu points collide (%zu states looked at)\n",
+      checked.min(), whole.collisions.collidingPoints, whole.collisions.states);
 }
 
 }  // namespace

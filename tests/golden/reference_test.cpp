@@ -4,6 +4,7 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/motion/plan.hpp"
+#include "wcam/toolpath/edits.hpp"
 
 #include "example_project.hpp"
 #include <gtest/gtest.h>
@@ -29,6 +30,10 @@ std::vector<Section> sections() {
       {"path", "Path of an operation", toolpath::PathParams::schema().params()},
       {"process", "Deposition process", process::ProcessParams::schema().params()},
       {"motion", "Motion of an operation", motion::MotionParams::schema().params()}};
+  for (const toolpath::EditTypeInfo& info : toolpath::editTypes()) {
+    all.push_back({std::string("edit.") + info.key, std::string(info.name) + ". " + info.summary,
+                   toolpath::editSchema(info.type).params()});
+  }
   for (const plugin::ComponentEntry& component : test::hostOfPlugins()->components()) {
     if (component.id.starts_with("wcam.")) {
       const plugin::ComponentInfo info = test::hostOfPlugins()->info(component.id);

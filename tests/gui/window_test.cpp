@@ -15,6 +15,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QScreen>
 #include <QSlider>
@@ -267,6 +268,37 @@ TEST_F(Window, MeasuresBetweenTwoPickedPoints) {
   kept("measure");
   QTest::keyClick(window.view(), Qt::Key_Escape);
   EXPECT_FALSE(window.actions().action("view.measure")->isChecked());
+}
+
+TEST_F(Window, APickedPointIsEdited) {
+  const auto path = window.viewState().path();
+  const std::size_t move = path->layerBegin(3) + 12;
+  ASSERT_NE(path->pathPoint(move), nullptr);
+  const geometry::Vec3 p = path->pathPoint(move)->p;
+  viewport::Pick pick;
+  pick.kind = viewport::Pick::Kind::Move;
+  pick.index = static_cast<int>(move);
+  bool met = false;
+  QTimer::singleShot(100, [&met] {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    ASSERT_NE(menu, nullptr);
+    for (QAction* action : menu->actions()) {
+      if (action->menu() != nullptr && !met) {
+        met = true;
+        EXPECT_EQ(action->menu()->actions().size(), 8);
+        action->menu()->actions().front()->trigger();
+      }
+    }
+    menu->close();
+  });
+  emit window.view()->contextMenuAt(pick, window.view()->mapToGlobal(QPoint(40, 40)));
+  EXPECT_TRUE(met);
+  ASSERT_TRUE(waitSettled(window));
+  // The seams of all layers come as near to the point as they can.
+  const toolpath::Toolpath& seamed = *window.viewState().path()->result().path;
+  EXPECT_NEAR((seamed.layers[3].beads[0].points.front().p - p).norm(), 0.0, 1e-3);
+  EXPECT_EQ(window.tree().selected(), editRef("planar", "move_seam"));
+  kept("edit-seam");
 }
 
 TEST_F(Window, ThePagesOfTheResultsAreDrawn) {

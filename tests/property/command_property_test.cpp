@@ -26,7 +26,7 @@ public:
 
   Command next() {
     const std::string noun = kNouns[random_.below(std::size(kNouns))];
-    switch (random_.below(10)) {
+    switch (random_.below(12)) {
       case 0:
       case 1:
       case 2:
@@ -43,12 +43,40 @@ public:
       case 8:
         return {noun + ".set_param",
                 Value::object({{"id", id()}, {"key", text()}, {"value", value(2)}})};
+      case 9:
+      case 10:
+        return edit();
       default:
         return global();
     }
   }
 
 private:
+  Command edit() {
+    static const std::vector<std::string> kTypes = {"reverse", "pause", "move_seam", "revers"};
+    Value args = Value::object({{"operation", id()}, {"id", id()}});
+    switch (random_.below(6)) {
+      case 0:
+      case 1:
+        args.set("type", random_.pick(kTypes));
+        if (random_.chance(0.3)) {
+          args.set("params", params());
+        }
+        if (random_.chance(0.3)) {
+          args.set("index", random_.below(3));
+        }
+        return {"edit.add", withNoise(args)};
+      case 2:
+        return {"edit.set", withNoise(args.set("enabled", random_.chance(0.5)))};
+      case 3:
+        return {"edit.remove", args};
+      case 4:
+        return {"edit.move", args.set("index", random_.below(3))};
+      default:
+        return {"edit.set_param", args.set("key", text()).set("value", value(2))};
+    }
+  }
+
   Command global() {
     switch (random_.below(4)) {
       case 0:

@@ -33,6 +33,7 @@ struct Waypoint {
   double speed = 0.0;      ///< wanted TCP speed of the move that ends here, in the part frame, mm/s
   double wireSpeed = 0.0;  ///< mm/s
   double time = 0.0;       ///< s, from the time law
+  double pause = 0.0;      ///< s that the torch stands here before it goes on (withPauses)
   double tcpSpeed = 0.0;   ///< predicted TCP speed in the part frame, mm/s
   /// False where the robot cannot come: joints then hold the arm stretched towards the point (or
   /// the joints before it), and the TCP is not at T_part_tcp.

@@ -56,8 +56,12 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
 /// brings along is kept; 0 becomes the process's. Factors of ramps apply to the clamped speed,
 /// inside the window, and to the wire; moves with the arc off get no wire.
 ///
+/// Where edits change a move (PathPoint::change) the section of the bead stays consistent: either
+/// the other of speed and wire follows so that the section of the local height is deposited, or the
+/// width becomes that of the section which speed and wire make. Ramps change no width.
+///
 /// Findings, one per layer with the worst value and the count: process.speed_clamped,
-/// process.height_out_of_range.
+/// process.height_out_of_range, process.section_too_small.
 /// @throws Error(InvalidArgument) when the windows contradict each other
 toolpath::Toolpath applyProcess(toolpath::Toolpath path,
                                 const ProcessParams& params,

@@ -19,7 +19,8 @@ struct ArcSettings {
 };
 
 /// Turns a motion into the robot-neutral program: arc on where a bead starts, arc off with crater
-/// fill where it ends, exact stops there, layer and bead marks around.
+/// fill where it ends, exact stops there, layer and bead marks around; exact stops and waits where
+/// the torch pauses.
 Program programFromMotion(const motion::PlannedMotion& planned,
                           const cell::Cell& cell,
                           const ArcSettings& arc,

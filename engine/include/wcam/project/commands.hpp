@@ -75,6 +75,7 @@ using SchemaLookup = std::function<std::optional<ParamSchema>(const ParamSection
 /// - `step`: all operations that have such a parameter, else all outputs, processes and parts;
 /// - `elbow.step`, `elbow.params.step`: that node (ids may contain dots);
 /// - `operations.elbow.params.step`: the same in full;
+/// - `elbow.edits.slow.factor`, `elbow.edits.slow.enabled`: a parameter of an edit of an operation;
 /// - `elbow.enabled`, `plate.position_mm`, ...: plain fields of nodes.
 /// VALUE is converted by the schema of the parameter ("2.5mm", "30deg", "1, 2, 3").
 /// @throws Error(InvalidArgument) for an unknown or ambiguous key or a wrong value, with near names

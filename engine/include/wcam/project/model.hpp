@@ -5,6 +5,7 @@
 #include "wcam/base/value.hpp"
 #include "wcam/geometry/solid_wall.hpp"
 #include "wcam/geometry/types.hpp"
+#include "wcam/toolpath/edits.hpp"
 
 #include <array>
 #include <optional>
@@ -89,6 +90,14 @@ struct Process {
   Value params;
 };
 
+/// A change of the toolpath that an operation generates, see wcam/toolpath/edits.hpp.
+struct OperationEdit {
+  std::string id;  ///< unique in the operation
+  toolpath::EditType type = toolpath::EditType::MoveSeam;
+  bool enabled = true;
+  Value params;
+};
+
 /// A strategy applied to parts on a substrate. The parameter objects are sparse; their schemas
 /// belong to the strategy (params), to the path stage (path) and to the motion stage (motion).
 struct Operation {
@@ -102,6 +111,7 @@ struct Operation {
   Value params;
   Value path;
   Value motion;
+  std::vector<OperationEdit> edits;  ///< in the order in which they are applied
   bool enabled = true;
 };
 

@@ -14,6 +14,20 @@ namespace wcam::toolpath {
 /// Which part of a bead a move belongs to.
 enum class BeadZone { Body, LeadIn, Overlap, LeadOut, Wipe };
 
+/// What holds the section of a bead where an edit changes travel speed or wire feed: the process's
+/// plan (nothing changed), or what follows the change.
+enum class SectionRule { Plan, Width, Wire, Speed };
+
+/// What edits want of the move that ends at a point: a factor of what the process plans, or a value
+/// in mm/s.
+struct ProcessChange {
+  double speed = 1.0;
+  double wire = 1.0;
+  bool speedIsValue = false;
+  bool wireIsValue = false;
+  SectionRule section = SectionRule::Plan;
+};
+
 /// A point of a bead, in the part frame. (t, n, b) is right-handed: t along travel, n the outward
 /// surface normal made perpendicular to t, b = t × n the build direction.
 struct PathPoint {
@@ -35,6 +49,7 @@ struct PathPoint {
   BeadZone zone = BeadZone::Body;  ///< of the move that ends here (of the first point: that begins)
   double speedFactor = 1.0;        ///< of the travel speed, in ramps
   double wireFactor = 1.0;         ///< of the wire feed speed, in ramps
+  ProcessChange change = {};       ///< by edits, of the move that ends here
 };
 
 /// One run of the torch with the arc on, perhaps with moves before and after it whose arc is off. A
@@ -44,7 +59,9 @@ struct Bead {
   bool closed = false;
   int part = 0;  ///< index of the part in the operation
   BeadFeature feature = BeadFeature::Wall;
-  int revolutions = 0;  ///< of a bead that climbs (Contour::turns); 0 for a bead of one layer
+  int revolutions = 0;       ///< of a bead that climbs (Contour::turns); 0 for a bead of one layer
+  double pauseBefore = 0.0;  ///< s that the torch waits above the start, arc off, before the bead
+  double pauseAfter = 0.0;   ///< s that it waits above the end afterwards
   [[nodiscard]] double length() const;
 };
 

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/toolpath/edits.hpp"
+
+#include "wcam/base/text.hpp"
+
+#include "edit_steps.hpp"
+
+#include <algorithm>
+
+namespace wcam::toolpath {
+
+namespace detail {
+
+std::string nameOf(const Edit& edit) {
+  return "the edit '" + edit.id + "' (" + infoOf(edit.type).key + ")";
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> layersOf(const Toolpath& path,
+                                                            const Edit& edit,
+                                                            const JobContext& context) {
+  const auto count = static_cast<int>(path.layers.size());
+  const auto resolved = [count](int index) { return index < 0 ? index + count : index; };
+  const int first = resolved(edit.params.firstLayer);
+  const int last = resolved(edit.params.lastLayer);
+  const int from = std::max(first, 0);
+  const int to = std::min(last, count - 1);
+  if (from > to) {
+    return std::nullopt;
+  }
+  if (from != first || to != last) {
+    context.add({Severity::Information,
+                 "edit.range_clipped",
+                 nameOf(edit) + " names layers " + std::to_string(edit.params.firstLayer) + " to " +
+                     std::to_string(edit.params.lastLayer) + ", of which there are " +
+                     std::to_string(from) + " to " + std::to_string(to),
+                 "fit first_layer and last_layer to the layers that there are",
+                 {{}, from, -1, -1},
+                 {{"layers", static_cast<double>(count)}}});
+  }
+  return std::pair{static_cast<std::size_t>(from), static_cast<std::size_t>(to)};
+}
+
+namespace {
+
+/// Beads, moves and axes: edits that leave the layers as they are.
+std::size_t editBeads(Toolpath& path,
+                      const Edit& edit,
+                      const ZoneParams& zones,
+                      const JobContext& context) {
+  const auto range = layersOf(path, edit, context);
+  if (!range) {
+    return 0;
+  }
+  std::size_t changed = 0;
+  std::size_t limited = 0;
+  for (std::size_t l = range->first; l <= range->second; ++l) {
+    context.check();
+    Layer& layer = path.layers[l];
+    // From the last one down: a pause may put a bead behind its own.
+    for (std::size_t b = layer.beads.size(); b-- > 0;) {
+      const bool meant = edit.params.bead < 0 || static_cast<std::size_t>(edit.params.bead) == b;
+      if (!meant || layer.beads[b].points.empty()) {
+        continue;
+      }
+      switch (edit.type) {
+        case EditType::MoveSeam:
+          changed += moveSeam(layer.beads[b], layer.up, edit, zones);
+          break;
+        case EditType::Reverse:
+          changed += reverseBead(layer.beads[b], edit, zones);
+          break;
+        case EditType::Pause:
+          changed += pauseBead(layer.beads, b, edit, zones);
+          break;
+        case EditType::SetSpeed:
+        case EditType::SetWire:
+          changed += changeProcess(layer.beads[b], edit);
+          break;
+        default:
+          changed += tiltAxes(layer.beads[b], edit, limited);
+          break;
+      }
+    }
+  }
+  if (limited > 0) {
+    context.add({Severity::Warning,
+                 "edit.tilt_limited",
+                 nameOf(edit) + " wants the torch to lean by more than 80 degrees at " +
+                     std::to_string(limited) + " points; it leans by 80 there",
+                 "take a smaller angle, or replace the planned one instead of adding to it",
+                 {{}, static_cast<int>(range->first), -1, -1},
+                 {{"points", static_cast<double>(limited)}}});
+  }
+  return changed;
+}
+
+}  // namespace
+}  // namespace detail
+
+Toolpath applyEdit(const Toolpath& path,
+                   const Edit& edit,
+                   const ZoneParams& zones,
+                   const JobContext& context) {
+  context.check();
+  Toolpath edited = path;
+  std::size_t changed = 0;
+  switch (edit.type) {
+    case EditType::DeleteLayers:
+      changed = detail::deleteLayers(edited, edit, context);
+      break;
+    case EditType::RepeatLayers:
+      changed = detail::repeatLayers(edited, edit, context);
+      break;
+    default:
+      changed = detail::editBeads(edited, edit, zones, context);
+      break;
+  }
+  if (changed == 0) {
+    context.add({Severity::Warning,
+                 "edit.selects_nothing",
+                 detail::nameOf(edit) + " finds nothing to change in the " +
+                     std::to_string(path.layers.size()) + " layers of the toolpath",
+                 "fit its layers, bead or region to the present toolpath, or remove it",
+                 {},
+                 {{"layers", static_cast<double>(path.layers.size())}}});
+  }
+  return edited;
+}
+
+Toolpath applyEdits(const Toolpath& path,
+                    const std::vector<Edit>& edits,
+                    const ZoneParams& zones,
+                    const JobContext& context) {
+  Toolpath edited = path;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    edited = applyEdit(edited, edits[i], zones, context);
+    context.report(static_cast<double>(i + 1) / static_cast<double>(edits.size()));
+  }
+  if (edited.beadCount() == 0 && path.beadCount() > 0) {
+    context.add({Severity::Warning,
+                 "edit.nothing_left",
+                 "the edits leave no layer to build",
+                 "leave out one of the edits that delete layers",
+                 {},
+                 {{"layers_before", static_cast<double>(path.layers.size())}}});
+  }
+  return edited;
+}
+
+}  // namespace wcam::toolpath
