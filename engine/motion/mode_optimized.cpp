@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/quantity.hpp"
+
 #include "modes.hpp"
 #include "refine.hpp"
 #include "search.hpp"
@@ -22,6 +24,13 @@ constexpr std::size_t kBothGaugesTargets = 4000;
 /// The table's samples are searched up to this many rungs (half a second each thousand), else only
 /// where the gravity-aligned reference alone does not keep all constraints.
 constexpr std::size_t kTableRungs = 1500;
+/// The same of robots whose inverse kinematics are a search, some 20 µs each.
+constexpr std::size_t kAllModesFollowed = 200;
+/// Constant rotations that stand for the graph search of such robots.
+constexpr int kRotations = 12;
+/// Part of the tilt's tolerance with which the search leans: the refinement takes back what is not
+/// needed and keeps a little less than the tolerance.
+constexpr double kTiltUsed = 0.95;
 /// Searches with newly found collisions at most; each finds those of the path before.
 constexpr int kCollisionRounds = 12;
 /// Cost of a colliding state: below a state outside limits, above a singular one; and per
@@ -42,11 +51,12 @@ std::vector<float> collisionCosts(const Task& task,
   for (std::size_t n = 0; n < cellStates.size(); ++n) {
     const std::size_t table = n / kLanes;
     cell::JointVector q(cell.jointCount());
-    for (int j = 0; j < 6; ++j) {
+    for (int j = 0; j < cell.robotJoints(); ++j) {
       q(j) = static_cast<double>(states.row(j, table)[n % kLanes]);
     }
     for (int j = 0; j < cell.positionerJoints(); ++j) {
-      q(6 + j) = task.references[frame.family].joints[rung.target][static_cast<std::size_t>(j)];
+      q(cell.robotJoints() + j) =
+          task.references[frame.family].joints[rung.target][static_cast<std::size_t>(j)];
     }
     if (cell.positionerJoints() > 0) {
       q(cell.jointCount() - 1) = states.tableValues[table];
@@ -94,14 +104,18 @@ private:
     // Without a positioner there is nothing to keep at rest.
     const bool same = mode == RedundancyMode::Fixed &&
                       (task_.cell.partCarried() || task_.cell.positionerJoints() == 0);
-    if (!same && !lacksPositioner(mode, task_.cell) &&
-        !(slow && task_.targets.size() > kAllModesTargets)) {
+    const std::size_t most = isFollowed(task_.cell) ? kAllModesFollowed : kAllModesTargets;
+    if (!same && !lacksPositioner(mode, task_.cell) && !(slow && task_.targets.size() > most)) {
       keep(candidate(mode, resolveNamed(mode, task_, context_)));
     }
   }
 
   /// Search and refinement from one gravity-aligned reference.
   void tryFamily(std::size_t family) {
+    if (isFollowed(task_.cell)) {
+      tryRotations(family);
+      return;
+    }
     SearchFrame frame;
     frame.family = family;
     frame.rungs = chooseRungs(task_, family, kMostRungs);
@@ -110,10 +124,63 @@ private:
       frame.points += segment.last - segment.first + 1;
     }
     frame.moveTable = frame.rungs.size() <= kTableRungs;
-    if (!tryGauges(frame) && !frame.moveTable) {
+    bool feasible = tryGauges(frame);
+    if (!feasible && !frame.moveTable) {
       frame.moveTable = true;
-      tryGauges(frame);
+      feasible = tryGauges(frame);
     }
+    if (!feasible && task_.params.tiltTolerance.value() > 0.0) {
+      tryTilts(frame);
+    }
+  }
+
+  /// Search with the torch leaning over the whole operation: the refinement alone does not find out
+  /// of what is out of reach, nor from one branch to another.
+  void tryTilts(SearchFrame& frame) {
+    const double most = kTiltUsed * task_.params.tiltTolerance.value();
+    for (const auto& [lead, lateral] : {std::pair(most, 0.0), std::pair(-most, 0.0),
+                                        std::pair(0.0, most), std::pair(0.0, -most)}) {
+      frame.lead = lead;
+      frame.lateral = lateral;
+      if (tryGauges(frame)) {
+        return;
+      }
+    }
+  }
+
+  /// Constant rotations, and the refinement of the best one: where the branches of the inverse
+  /// kinematics are start postures, states cannot be told apart for a graph search.
+  void tryRotations(std::size_t family) {
+    const bool turns = task_.cell.inverse->freeRotation();
+    const bool table = !task_.cell.partCarried() && task_.cell.positionerJoints() > 0;
+    Candidate best;
+    for (int k = 0; k < (turns ? kRotations : 1); ++k) {
+      Resolution resolution;
+      resolution.choices = constantRotation(task_, task_.references[family].joints);
+      for (FreeChoice& choice : resolution.choices) {
+        choice.torchRotation += k * 2.0 * kPi / kRotations;
+      }
+      resolution.branches = oneBranch(task_, resolution.choices, context_);
+      Candidate own = candidate(RedundancyMode::Optimized, std::move(resolution));
+      if (k == 0 || own.evaluation.betterThan(best.evaluation)) {
+        best = std::move(own);
+      }
+    }
+    keepRefined({constantGauge(task_), family, table}, best);
+  }
+
+  /// Refinement of a candidate where anything is free.
+  bool keepRefined(const RefineFrame& frame, const Candidate& start) {
+    if (!task_.cell.inverse->freeRotation() && !frame.moveTable &&
+        !(task_.params.tiltTolerance.value() > 0.0)) {
+      const bool feasible = start.evaluation.feasible();
+      keep(Candidate(start));
+      return feasible;
+    }
+    Candidate refined = refine(task_, frame, start, context_, clearance_);
+    const bool feasible = refined.evaluation.feasible();
+    keep(std::move(refined));
+    return feasible;
   }
 
   /// Search and refinement with both gauges of the torch rotation; true when all constraints hold.
@@ -124,8 +191,8 @@ private:
       bool tableFree = false;
       Candidate own = searched(frame, &tableFree);
       found.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
-      if (tableFree) {
-        break;  // the table can follow the path instead
+      if (tableFree || !task_.cell.inverse->freeRotation()) {
+        break;  // the table can follow the path instead, or nothing turns about the torch
       }
     }
     context_.report(0.6);
@@ -135,9 +202,7 @@ private:
     bool feasible = false;
     for (std::size_t k = 0; k < found.size(); ++k) {
       if (k == better || task_.targets.size() <= kBothGaugesTargets) {
-        Candidate refined = refine(task_, found[k].first, found[k].second, context_, clearance_);
-        feasible = feasible || refined.evaluation.feasible();
-        keep(std::move(refined));
+        feasible = keepRefined(found[k].first, found[k].second) || feasible;
       }
     }
     return feasible;

@@ -22,6 +22,8 @@ constexpr double kTableStep = kTurn / kTableSamples;
 /// Half a torch sample: between rungs the samples then follow by at most one step.
 constexpr double kBend = 0.5 * kTorchStep;
 constexpr int kMaxCoarsening = 8;
+/// Way between rungs at most where the robot is no arm, mm.
+constexpr double kLongest = 50.0;
 
 double angleBetween(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -83,7 +85,7 @@ std::vector<Rung> chooseRungs(const Task& task, std::size_t family, std::size_t 
   std::vector<Rung> rungs;
   double bend = kBend;
   // A straight line needs few states; a run of 1/20 of the reach moves the joints by a few degrees.
-  double longest = cell::armReach(*task.cell.arm) / 40.0;
+  double longest = task.cell.arm ? cell::armReach(*task.cell.arm) / 40.0 : kLongest;
   for (int k = 0; k < kMaxCoarsening; ++k) {
     rungs.clear();
     for (std::size_t s = 0; s < task.runs.segments.size(); ++s) {
@@ -101,6 +103,7 @@ std::vector<Rung> chooseRungs(const Task& task, std::size_t family, std::size_t 
 StateBuilder::StateBuilder(const Task& task, const SearchFrame& frame)
     : task_(task),
       frame_(frame),
+      model_(task.cell),
       hasTable_(!task.cell.partCarried() && task.cell.positionerJoints() > 0) {}
 
 double StateBuilder::tableStep() const {
@@ -110,6 +113,8 @@ double StateBuilder::tableStep() const {
 FreeChoice StateBuilder::choice(std::size_t target, double tableOffset, double torchSample) const {
   FreeChoice choice;
   choice.torchRotation = frame_.gauge[target] + torchSample * kTorchStep;
+  choice.lead = frame_.lead;
+  choice.lateral = frame_.lateral;
   choice.positioner = task_.references[frame_.family].joints[target];
   if (hasTable_) {
     choice.positioner[static_cast<std::size_t>(task_.cell.positionerJoints() - 1)] += tableOffset;
@@ -147,7 +152,8 @@ void StateBuilder::build(const Rung& rung, RungStates& states) const {
   chooseTables(rung, states);
   const std::size_t tables = states.tables.size();
   for (int r = 0; r < kSearchRows; ++r) {
-    const bool used = r < 6 || task_.params.cableLimit.value() > 0.0;
+    const bool used = r < 6 ? r < task_.cell.robotJoints()
+                            : task_.cell.arm && task_.params.cableLimit.value() > 0.0;
     states.rows[r].resize(used ? tables * 2 * kLanes : 0);
   }
   states.cost.assign(tables * kLanes, 0.0F);
@@ -175,6 +181,10 @@ std::vector<geometry::Vec2> sampleTurns() {
 void StateBuilder::solve(const Rung& rung, RungStates& states) const {
   using cell::Branch;
   const cell::Cell& cell = task_.cell;
+  if (!cell.arm) {
+    solveEach(rung, states);
+    return;
+  }
   const Target& target = task_.targets[rung.target];
   // About 80 kB that would not fit every stack.
   thread_local const auto poses = std::make_unique<cell::PoseBlock>();
@@ -232,11 +242,57 @@ void StateBuilder::solve(const Rung& rung, RungStates& states) const {
   }
 }
 
+/// The same of robots that are no arms, pose by pose; branches and rotations that the robot does
+/// not have are never taken. Their singularity margins are looked at here.
+void StateBuilder::solveEach(const Rung& rung, RungStates& states) const {
+  using cell::InverseKinematics;
+  const cell::Cell& cell = task_.cell;
+  const InverseKinematics& inverse = *cell.inverse;
+  const auto branches = static_cast<std::size_t>(inverse.branches());
+  const double margin = std::sin(task_.params.wristMargin.value());
+  const auto steps = static_cast<float>(rung.steps);
+  std::array<cell::InverseSolution, InverseKinematics::kMostBranches> solutions;
+  for (std::size_t pose = 0; pose < states.tables.size() * kTorchSamples; ++pose) {
+    const std::size_t table = pose / kTorchSamples;
+    const std::size_t sample = pose % kTorchSamples;
+    const bool taken = sample == 0 || inverse.freeRotation();
+    if (taken) {
+      Pose T_part_tcp;
+      const FreeChoice own =
+          choice(rung.target, states.tables[table] * kTableStep, static_cast<double>(sample));
+      inverse.solveAll(flangePose(cell, task_.targets[rung.target], own, &T_part_tcp), solutions);
+    }
+    for (std::size_t b = 0; b < InverseKinematics::kMostBranches; ++b) {
+      const cell::InverseSolution& solution = solutions[b < branches ? b : 0];
+      const std::size_t at = table * 2 * kLanes + sample * InverseKinematics::kMostBranches + b;
+      float& cost = states.cost[pose * InverseKinematics::kMostBranches + b];
+      for (int j = 0; j < cell.robotJoints(); ++j) {
+        states.rows[j][at] = static_cast<float>(solution.joints(j));
+      }
+      cost += taken && b < branches ? 0.0F : SearchPenalty::kNever;
+      cost += solution.reachable ? 0.0F : SearchPenalty::kUnreachable * steps;
+      cost +=
+          marginSine(cell, solution.wristSine) < margin ? SearchPenalty::kSingular * steps : 0.0F;
+    }
+  }
+}
+
 namespace {
 
 float wrapped(float angle) {
   const auto turn = static_cast<float>(kTurn);
   return angle - turn * std::rint(angle / turn);
+}
+
+/// A full turn of the sum's joints is a full turn of the sum.
+bool wholeTurns(const CellModel& model, const cell::JointSum& sum) {
+  for (std::size_t j = 0; j < sum.factors.size(); ++j) {
+    const double factor = sum.factors[j];
+    if (factor != 0.0 && (std::abs(factor) != 1.0 || !model.periodic(static_cast<int>(j)))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// How far a value lies outside [−π, π]-shifted limits, of the turn that lies best.
@@ -251,31 +307,89 @@ float outside(float value, float middle, float half, bool periodic) {
 /// half of each row.
 void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& states) const {
   const cell::Cell& cell = task_.cell;
-  const cell::Arm& arm = *cell.arm;
   const MotionParams& params = task_.params;
   float* cost = states.cost.data() + table * kLanes;
   const std::size_t base = table * 2 * kLanes;
   const auto weight = static_cast<float>(params.weightLimits * static_cast<double>(rung.steps) /
                                          static_cast<double>(frame_.points));
   const auto steps = static_cast<float>(rung.steps);
-  for (int j = 0; j < 6; ++j) {
+  for (int j = 0; j < cell.robotJoints(); ++j) {
     const cell::Joint& joint = cell.joint(j);
     if (joint.endless) {
       continue;
     }
+    const auto perUnit = SearchPenalty::kBeyond * static_cast<float>(model_.asAngle(j, 1.0));
     const auto middle = static_cast<float>(0.5 * (joint.min + joint.max));
     const auto half = static_cast<float>(0.5 * (joint.max - joint.min));
-    const bool periodic = arm.periodic[static_cast<std::size_t>(j)];
+    const bool periodic = model_.periodic(j);
     const float* row = states.rows[j].data() + base;
     for (int n = 0; n < kLanes; ++n) {
       const float beyond = outside(row[n], middle, half, periodic);
       const float relative = (beyond + half) / half;
-      cost[n] +=
-          weight * relative * relative +
-          (beyond > 0.0F ? steps * (SearchPenalty::kOutside + SearchPenalty::kBeyond * beyond)
-                         : 0.0F);
+      cost[n] += weight * relative * relative +
+                 (beyond > 0.0F ? steps * (SearchPenalty::kOutside + perUnit * beyond) : 0.0F);
     }
   }
+  if (cell.arm) {
+    addArmCosts(rung, table, states);
+  }
+  addSumCosts(rung, table, states);
+  PositionerValues values = task_.references[frame_.family].joints[rung.target];
+  if (hasTable_) {
+    values[static_cast<std::size_t>(cell.positionerJoints() - 1)] = states.tableValues[table];
+  }
+  double shared = 0.0;
+  if (params.weightGravity > 0.0) {
+    const double angle = radToDeg(verticalError(cell, task_.targets[rung.target].up, values));
+    shared += params.weightGravity * angle * angle * static_cast<double>(rung.steps) /
+              static_cast<double>(frame_.points);
+  }
+  for (int n = 0; n < kLanes; ++n) {
+    const int branch = n % cell::Branch::kCount;
+    cost[n] +=
+        static_cast<float>(shared) + (mayUse(cell, params, branch) ? 0.0F : SearchPenalty::kNever);
+    if (rung.firstOfRun && cell.arm) {
+      const cell::Branch b = cell::Branch::fromIndex(branch);
+      cost[n] += SearchPenalty::kUnusual *
+                 static_cast<float>((b.elbowDown ? 1 : 0) + (b.backwards ? 2 : 0));
+    }
+  }
+  for (auto& row : states.rows) {
+    if (!row.empty()) {
+      std::copy_n(row.data() + base, kLanes, row.data() + base + kLanes);
+    }
+  }
+}
+
+/// Sums of joints that the cell limits, of the turns that lie best.
+void StateBuilder::addSumCosts(const Rung& rung, std::size_t table, RungStates& states) const {
+  float* cost = states.cost.data() + table * kLanes;
+  const std::size_t base = table * 2 * kLanes;
+  const auto steps = static_cast<float>(rung.steps);
+  for (const cell::JointSum& sum : task_.cell.sums) {
+    const auto middle = static_cast<float>(0.5 * (sum.min + sum.max));
+    const auto half = static_cast<float>(0.5 * (sum.max - sum.min));
+    const bool turns = wholeTurns(model_, sum);
+    for (int n = 0; n < kLanes; ++n) {
+      float value = 0.0F;
+      for (int j = 0; j < task_.cell.robotJoints(); ++j) {
+        value += static_cast<float>(sum.factors[static_cast<std::size_t>(j)]) *
+                 states.rows[j][base + static_cast<std::size_t>(n)];
+      }
+      const float beyond = outside(value, middle, half, turns);
+      cost[n] += beyond > 0.0F ? steps * (SearchPenalty::kOutside + SearchPenalty::kBeyond * beyond)
+                               : 0.0F;
+    }
+  }
+}
+
+/// Singularity margins and cable twist of an arm.
+void StateBuilder::addArmCosts(const Rung& rung, std::size_t table, RungStates& states) const {
+  const cell::Arm& arm = *task_.cell.arm;
+  const MotionParams& params = task_.params;
+  float* cost = states.cost.data() + table * kLanes;
+  const std::size_t base = table * 2 * kLanes;
+  const auto steps = static_cast<float>(rung.steps);
   // Wrist and elbow bends are linear in the canonical angles.
   const float* row5 = states.rows[4].data() + base;
   const float* row2 = states.rows[1].data() + base;
@@ -308,30 +422,6 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
                          sign * states.rows[5][base + static_cast<std::size_t>(n)] - zero);
       const float over = std::abs(twist[n]) - most;
       cost[n] += over > 0.0F ? steps * SearchPenalty::kTwist * (1.0F + over) : 0.0F;
-    }
-  }
-  PositionerValues values = task_.references[frame_.family].joints[rung.target];
-  if (hasTable_) {
-    values[static_cast<std::size_t>(cell.positionerJoints() - 1)] = states.tableValues[table];
-  }
-  double shared = 0.0;
-  if (params.weightGravity > 0.0) {
-    const double angle = radToDeg(verticalError(cell, task_.targets[rung.target].up, values));
-    shared += params.weightGravity * angle * angle * static_cast<double>(rung.steps) /
-              static_cast<double>(frame_.points);
-  }
-  for (int n = 0; n < kLanes; ++n) {
-    const int branch = n % cell::Branch::kCount;
-    cost[n] += static_cast<float>(shared) + (mayUse(params, branch) ? 0.0F : SearchPenalty::kNever);
-    if (rung.firstOfRun) {
-      const cell::Branch b = cell::Branch::fromIndex(branch);
-      cost[n] += SearchPenalty::kUnusual *
-                 static_cast<float>((b.elbowDown ? 1 : 0) + (b.backwards ? 2 : 0));
-    }
-  }
-  for (auto& row : states.rows) {
-    if (!row.empty()) {
-      std::copy_n(row.data() + base, kLanes, row.data() + base + kLanes);
     }
   }
 }
