@@ -56,6 +56,10 @@ public:
       size_ += std::abs(joint.d) + std::abs(joint.r);
     }
     size_ += robot.T_last_tip.translation().norm();
+    farthest_ = size_ + tool.point.norm();
+    for (const Joint& joint : robot.joints) {
+      farthest_ += joint.prismatic() ? std::max(std::abs(joint.min), std::abs(joint.max)) : 0.0;
+    }
     for (int k = 0; k < kPostures; ++k) {
       postures_.push_back(posture(k));
     }
@@ -99,6 +103,8 @@ public:
       return best;
     }
     double bestExcess = std::numeric_limits<double>::infinity();
+    const bool hopeless =
+        (T_base_flange * tool_.point - robot_.T_root_first.translation()).norm() > farthest_;
     for (int k = seed != nullptr ? -1 : 0; k < kPostures; ++k) {
       JointVector start = seed != nullptr
                               ? JointVector(Eigen::Map<const Eigen::VectorXd>(seed, robot_.size()))
@@ -116,7 +122,7 @@ public:
         bestExcess = excess;
       }
       // What a seed leads to is kept: another solution would be a jump.
-      if (best.reachable && (bestExcess == 0.0 || k < 0)) {
+      if (hopeless || (best.reachable && (bestExcess == 0.0 || k < 0))) {
         break;
       }
     }
@@ -293,7 +299,8 @@ private:
 
   Chain robot_;
   Tool tool_;
-  double size_ = 1.0;  ///< length that counts as much as 1 rad, mm
+  double size_ = 1.0;      ///< length that counts as much as 1 rad, mm
+  double farthest_ = 0.0;  ///< that the tool point can be from the first joint's frame, mm
   std::vector<JointVector> postures_;
 };
 

@@ -82,6 +82,9 @@ public:
     if (point.verticalError > params_.verticalTolerance.value()) {
       vertical_.add(point.verticalError, point.point);
     }
+    if (point.reachable && point.tilt > params_.tiltTolerance.value() + kOnLimit) {
+      tilt_.add(point.tilt, point.point);
+    }
     addTwist(point);
     for (std::size_t j = 0; j < limits_.size(); ++j) {
       const auto joint = static_cast<int>(j);
@@ -325,6 +328,13 @@ private:
           "the positioner's axes cannot turn it further; choose another build direction", vertical_,
           {{"angle_deg", radToDeg(vertical_.value)}});
     }
+    if (tilt_.count > 0) {
+      put(context, Severity::Warning, "motion.tilt",
+          "the torch leans by up to " + degText(tilt_.value) + " from the path's tool axis at " +
+              points(tilt_.count) + "; allowed are " + degText(params_.tiltTolerance.value()),
+          "raise tilt_tolerance if the process bears it, or choose another redundancy mode", tilt_,
+          {{"tilt_deg", radToDeg(tilt_.value)}});
+    }
     if (cable_.count > 0) {
       put(context, Severity::Warning, "motion.cable_twist",
           "the torch's cable is twisted by up to " + degText(cable_.value) + " at " +
@@ -338,7 +348,7 @@ private:
   CellModel model_;
   const MotionParams& params_;
   Place place_;
-  Worst unreachable_, wrist_, elbow_, shoulder_, dexterity_, vertical_, slow_, cable_;
+  Worst unreachable_, wrist_, elbow_, shoulder_, dexterity_, vertical_, slow_, cable_, tilt_;
   std::vector<Worst> limits_, steps_, turns_, sums_;
 };
 

@@ -82,7 +82,7 @@ TEST(TableDriven, squareBead) {
   for (int i = 0; i <= samples; ++i) {
     angles.push_back(-kPi / 4 + kPi / 2 * i / samples);
   }
-  const auto side = [](double phi) { return Vec3(half, half * std::tan(phi), 2); };
+  const auto side = [half](double phi) { return Vec3(half, half * std::tan(phi), 2); };
   const MotorTrace motors = scheme.record(angles, turning, side);
   const TcpTrace trace =
       reconstructTcp(motors, scheme.cell(), scheme.at(side(angles.front()), angles.front()));

@@ -285,6 +285,8 @@ TEST(Reversals, onTheCoupon) {
                       : half(-7.7, 0.0, (t - 11.6) / 5.0);
   };
   const geometry::Pose table = cell::T_base_table(cell, cell::JointVector::Zero(cell.jointCount()));
+  const Vec3 up = cell.verticalInBase();
+  const Vec3 across = up.cross(table.translation()).normalized();
   Motion motion;
   cell::JointVector seed = cell::JointVector::Zero(6);
   for (int i = 0; i * kSample <= 13.0; ++i) {
@@ -292,10 +294,10 @@ TEST(Reversals, onTheCoupon) {
     w.time = i * kSample;
     w.joints = cell::JointVector::Zero(cell.jointCount());
     w.joints(6) = 0.02 * w.time;
-    // Over the axis of the platter, from it to the robot's plane.
-    const Vec3 p(0, -20.0 + 3.0 * w.time, 60.0 + height(w.time));
-    const cell::InverseSolution s =
-        cell::solveTool(cell, table * p, table.linear().col(2), 0.0, 0, seed.data());
+    // Over the axis of the platter, across the robot's plane.
+    const Vec3 p =
+        table.translation() + (-20.0 + 3.0 * w.time) * across + (60.0 + height(w.time)) * up;
+    const cell::InverseSolution s = cell::solveTool(cell, p, up, 0.0, 0, seed.data());
     ASSERT_TRUE(s.reachable);
     w.joints.head(6) = seed = s.joints;
     motion.waypoints.push_back(w);

@@ -113,8 +113,8 @@ ObjectiveValues ownObjective(RedundancyMode mode);
 ///
 /// Findings: motion.unreachable, motion.joint_limit (violations), motion.singularity,
 /// motion.joint_step, motion.speed_limited, motion.low_dexterity, motion.not_vertical,
-/// motion.cable_twist (warnings), motion.configuration_change (information: full turns taken back
-/// between beads). One per bead and cause, with the worst value and the number of points.
+/// motion.cable_twist, motion.tilt (warnings), motion.configuration_change (information: full turns
+/// taken back between beads). One per bead and cause, with the worst value and number of points.
 ///
 /// Any robot (Cell::inverse). One that cannot turn about the tool axis takes the rotation that goes
 /// with its joints; one without a closed form is followed from point to point, without graph
