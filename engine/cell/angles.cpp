@@ -97,6 +97,11 @@ Rotation frameWithZ(const Eigen::Vector3d& axis, double rotationAboutAxis) {
 }
 
 double wrapAngle(double angle) {
+  // The usual case without a division; the difference is exact, as the remainder is.
+  if (std::abs(angle) < 2.0 * kPi) {
+    const double near = angle > kPi ? angle - 2.0 * kPi : angle < -kPi ? angle + 2.0 * kPi : angle;
+    return near <= -kPi ? kPi : near;
+  }
   const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped <= -kPi ? kPi : wrapped;
 }

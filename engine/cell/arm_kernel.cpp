@@ -10,19 +10,10 @@
 
 #include "arm_kernel.hpp"
 
+#include "wcam/base/vector_clones.hpp"
+
 #include <cmath>
 #include <cstddef>
-
-// One clone per instruction set, chosen at load time. Sanitizers do not stand the resolvers.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define WCAM_VECTOR_CLONES \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define WCAM_VECTOR_CLONES
-#endif
-
-#define WCAM_INLINE static inline __attribute__((always_inline))
 
 namespace wcam::cell {
 
@@ -55,7 +46,7 @@ struct Shoulder {
   alignas(64) double row1[3][kN];
 };
 
-WCAM_INLINE void toWrist(const ArmConstants& k, const LanePoses& poses, Lanes& out) {
+static WCAM_CLONED void toWrist(const ArmConstants& k, const LanePoses& poses, Lanes& out) {
   for (int n = 0; n < kN; ++n) {
     double flange[12];
     for (int i = 0; i < 9; ++i) {
@@ -83,12 +74,12 @@ WCAM_INLINE void toWrist(const ArmConstants& k, const LanePoses& poses, Lanes& o
 }
 
 /// Axis 1 by algebra: P = Rz(c1)·(x, b, z).
-WCAM_INLINE void solveShoulder(const ArmConstants& k,
-                               const Lanes& lanes,
-                               double side,
-                               Shoulder& out,
-                               Angles6& angles,
-                               double* reachable) {
+static WCAM_CLONED void solveShoulder(const ArmConstants& k,
+                                      const Lanes& lanes,
+                                      double side,
+                                      Shoulder& out,
+                                      Angles6& angles,
+                                      double* reachable) {
   const double forearm2 = k.d4 * k.d4 + k.r4 * k.r4;
   const double forearm = std::sqrt(forearm2);
   const double outer = (k.a2 + forearm) * (k.a2 + forearm) * (1.0 + kRelativeSlack);
@@ -119,11 +110,11 @@ WCAM_INLINE void solveShoulder(const ArmConstants& k,
 }
 
 /// Axes 2 and 3, then the wrist unflipped.
-WCAM_INLINE void solveElbowAndWrist(const ArmConstants& k,
-                                    const Lanes& lanes,
-                                    const Shoulder& shoulder,
-                                    double epsilon,
-                                    Angles6& angles) {
+static WCAM_CLONED void solveElbowAndWrist(const ArmConstants& k,
+                                           const Lanes& lanes,
+                                           const Shoulder& shoulder,
+                                           double epsilon,
+                                           Angles6& angles) {
   const double forearm2 = k.d4 * k.d4 + k.r4 * k.r4;
   const double inverse3 = 1.0 / forearm2;
   alignas(64) double y2[kN], x2[kN], y3[kN], x3[kN], y4[kN], x4[kN], y5[kN], x5[kN], y6[kN], x6[kN];
@@ -187,10 +178,10 @@ WCAM_INLINE void solveElbowAndWrist(const ArmConstants& k,
 }
 
 /// Controller values of the branch and of its flipped twin (c4 + π, −c5, c6 + π).
-WCAM_INLINE void toValues(const ArmConstants& k,
-                          const Angles6& angles,
-                          double (*plain)[kN],
-                          double (*flipped)[kN]) {
+static WCAM_CLONED void toValues(const ArmConstants& k,
+                                 const Angles6& angles,
+                                 double (*plain)[kN],
+                                 double (*flipped)[kN]) {
   for (int n = 0; n < kN; ++n) {
     int g = 0;
     for (int i = 0; i < 6; ++i) {

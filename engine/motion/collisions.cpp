@@ -182,6 +182,7 @@ CollisionStatistics checkCollisions(const Motion& motion,
   const auto safety = static_cast<float>(collision.settings().safetyDistance);
   statistics.checked = true;
   statistics.states = all.states.size();
+  statistics.distance.assign(motion.waypoints.size(), std::numeric_limits<float>::quiet_NaN());
   float least = static_cast<float>(collision.settings().reach);
   const detail::PathIndex index(path);
   const BeadReport report(collision, index, operationId);
@@ -196,6 +197,8 @@ CollisionStatistics checkCollisions(const Motion& motion,
         break;
       }
       least = std::min(least, clearance[i]);
+      float& own = statistics.distance[all.waypoint[i]];
+      own = std::fmin(own, clearance[i] + safety);
       if (clearance[i] < -safety - static_cast<float>(kTouch)) {
         colliding.add(i, all.waypoint[i], clearance[i]);
       } else if (clearance[i] < -static_cast<float>(kTouch)) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/parallel.hpp"
 #include "wcam/base/quantity.hpp"
 
 #include "modes.hpp"
@@ -76,16 +77,42 @@ public:
   Optimizer(const Task& task, const JobContext& context, const collision::Clearance* clearance)
       : task_(task), context_(context), clearance_(clearance) {}
 
-  Candidate run() {
-    best_ = candidate(RedundancyMode::Constant, resolveConstant(task_, context_));
+  /// The candidates side by side, compared in a fixed order.
+  Candidate run() const {
+    std::vector<RedundancyMode> named;
     for (int m = static_cast<int>(RedundancyMode::PointByPoint); m < kRedundancyModes; ++m) {
-      tryNamed(static_cast<RedundancyMode>(m));
+      if (isCandidate(static_cast<RedundancyMode>(m))) {
+        named.push_back(static_cast<RedundancyMode>(m));
+      }
     }
-    context_.report(0.3);
-    for (std::size_t family = 0; family < task_.references.size(); ++family) {
-      tryFamily(family);
+    const std::size_t families = task_.references.size();
+    // The searches first: they take longest.
+    std::vector<std::vector<Candidate>> found(families + 1 + named.size());
+    parallelFor(
+        found.size(), 1,
+        [&](std::size_t k) {
+          if (k < families) {
+            found[k] = tryFamily(k);
+          } else if (k == families) {
+            found[k].push_back(
+                candidate(RedundancyMode::Constant, resolveConstant(task_, context_)));
+          } else {
+            const RedundancyMode mode = named[k - families - 1];
+            found[k].push_back(candidate(mode, resolveNamed(mode, task_, context_)));
+          }
+        },
+        context_);
+    Candidate best = std::move(found[families].front());
+    found[families].clear();
+    std::rotate(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(families), found.end());
+    for (std::vector<Candidate>& group : found) {
+      for (Candidate& candidate : group) {
+        if (candidate.evaluation.betterThan(best.evaluation)) {
+          best = std::move(candidate);
+        }
+      }
     }
-    return best_;
+    return best;
   }
 
 private:
@@ -93,28 +120,19 @@ private:
     return makeCandidate(task_, mode, std::move(resolution), context_, clearance_);
   }
 
-  void keep(Candidate&& candidate) {
-    if (candidate.evaluation.betterThan(best_.evaluation)) {
-      best_ = std::move(candidate);
-    }
-  }
-
-  void tryNamed(RedundancyMode mode) {
+  [[nodiscard]] bool isCandidate(RedundancyMode mode) const {
     const bool slow = mode == RedundancyMode::PointByPoint || mode == RedundancyMode::Polynomial;
     // Without a positioner there is nothing to keep at rest.
     const bool same = mode == RedundancyMode::Fixed &&
                       (task_.cell.partCarried() || task_.cell.positionerJoints() == 0);
     const std::size_t most = isFollowed(task_.cell) ? kAllModesFollowed : kAllModesTargets;
-    if (!same && !lacksPositioner(mode, task_.cell) && !(slow && task_.targets.size() > most)) {
-      keep(candidate(mode, resolveNamed(mode, task_, context_)));
-    }
+    return !same && !lacksPositioner(mode, task_.cell) && !(slow && task_.targets.size() > most);
   }
 
   /// Search and refinement from one gravity-aligned reference.
-  void tryFamily(std::size_t family) {
+  [[nodiscard]] std::vector<Candidate> tryFamily(std::size_t family) const {
     if (isFollowed(task_.cell)) {
-      tryRotations(family);
-      return;
+      return tryRotations(family);
     }
     SearchFrame frame;
     frame.family = family;
@@ -124,33 +142,38 @@ private:
       frame.points += segment.last - segment.first + 1;
     }
     frame.moveTable = frame.rungs.size() <= kTableRungs;
-    bool feasible = tryGauges(frame);
-    if (!feasible && !frame.moveTable) {
+    std::vector<Candidate> found = tryGauges(frame);
+    const auto addGauges = [&] {
+      for (Candidate& own : tryGauges(frame)) {
+        found.push_back(std::move(own));
+      }
+    };
+    if (!frame.moveTable && !anyFeasible(found)) {
       frame.moveTable = true;
-      feasible = tryGauges(frame);
+      addGauges();
     }
-    if (!feasible && task_.params.tiltTolerance.value() > 0.0) {
-      tryTilts(frame);
-    }
-  }
-
-  /// Search with the torch leaning over the whole operation: the refinement alone does not find out
-  /// of what is out of reach, nor from one branch to another.
-  void tryTilts(SearchFrame& frame) {
+    // Search with the torch leaning over the whole operation: the refinement alone does not find
+    // out of what is out of reach, nor from one branch to another.
     const double most = kTiltUsed * task_.params.tiltTolerance.value();
     for (const auto& [lead, lateral] : {std::pair(most, 0.0), std::pair(-most, 0.0),
                                         std::pair(0.0, most), std::pair(0.0, -most)}) {
-      frame.lead = lead;
-      frame.lateral = lateral;
-      if (tryGauges(frame)) {
-        return;
+      if (most > 0.0 && !anyFeasible(found)) {
+        frame.lead = lead;
+        frame.lateral = lateral;
+        addGauges();
       }
     }
+    return found;
+  }
+
+  static bool anyFeasible(const std::vector<Candidate>& found) {
+    return std::any_of(found.begin(), found.end(),
+                       [](const Candidate& own) { return own.evaluation.feasible(); });
   }
 
   /// Constant rotations, and the refinement of the best one: where the branches of the inverse
   /// kinematics are start postures, states cannot be told apart for a graph search.
-  void tryRotations(std::size_t family) {
+  [[nodiscard]] std::vector<Candidate> tryRotations(std::size_t family) const {
     const bool turns = task_.cell.inverse->freeRotation();
     const bool table = !task_.cell.partCarried() && task_.cell.positionerJoints() > 0;
     Candidate best;
@@ -166,46 +189,41 @@ private:
         best = std::move(own);
       }
     }
-    keepRefined({constantGauge(task_), family, table}, best);
+    std::vector<Candidate> found;
+    found.push_back(refined({constantGauge(task_), family, table}, std::move(best)));
+    return found;
   }
 
   /// Refinement of a candidate where anything is free.
-  bool keepRefined(const RefineFrame& frame, const Candidate& start) {
-    if (!task_.cell.inverse->freeRotation() && !frame.moveTable &&
-        !(task_.params.tiltTolerance.value() > 0.0)) {
-      const bool feasible = start.evaluation.feasible();
-      keep(Candidate(start));
-      return feasible;
-    }
-    Candidate refined = refine(task_, frame, start, context_, clearance_);
-    const bool feasible = refined.evaluation.feasible();
-    keep(std::move(refined));
-    return feasible;
+  [[nodiscard]] Candidate refined(const RefineFrame& frame, Candidate start) const {
+    const bool free = task_.cell.inverse->freeRotation() || frame.moveTable ||
+                      task_.params.tiltTolerance.value() > 0.0;
+    return free ? refine(task_, frame, start, context_, clearance_) : start;
   }
 
-  /// Search and refinement with both gauges of the torch rotation; true when all constraints hold.
-  bool tryGauges(SearchFrame& frame) {
-    std::vector<std::pair<RefineFrame, Candidate>> found;
+  /// Search and refinement with both gauges of the torch rotation.
+  [[nodiscard]] std::vector<Candidate> tryGauges(SearchFrame& frame) const {
+    std::vector<std::pair<RefineFrame, Candidate>> searches;
     for (const bool following : {false, true}) {
       frame.gauge = following ? followingGauge(task_, frame.family) : constantGauge(task_);
       bool tableFree = false;
       Candidate own = searched(frame, &tableFree);
-      found.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
+      searches.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
       if (tableFree || !task_.cell.inverse->freeRotation()) {
         break;  // the table can follow the path instead, or nothing turns about the torch
       }
     }
-    context_.report(0.6);
-    const std::size_t better =
-        found.size() > 1 && found[1].second.evaluation.betterThan(found[0].second.evaluation) ? 1
-                                                                                              : 0;
-    bool feasible = false;
-    for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::size_t better = searches.size() > 1 && searches[1].second.evaluation.betterThan(
+                                                          searches[0].second.evaluation)
+                                   ? 1
+                                   : 0;
+    std::vector<Candidate> found;
+    for (std::size_t k = 0; k < searches.size(); ++k) {
       if (k == better || task_.targets.size() <= kBothGaugesTargets) {
-        feasible = keepRefined(found[k].first, found[k].second) || feasible;
+        found.push_back(refined(searches[k].first, std::move(searches[k].second)));
       }
     }
-    return feasible;
+    return found;
   }
 
   /// The graph search; with a clearance again until its path is free: only the states of rungs that
@@ -255,7 +273,6 @@ private:
   const Task& task_;
   const JobContext& context_;
   const collision::Clearance* clearance_;
-  Candidate best_;
 };
 
 }  // namespace

@@ -149,6 +149,12 @@ Motion solveMotion(const Task& task,
                    const Resolution& resolution,
                    const JobContext& context,
                    std::vector<PointState>* states = nullptr);
+/// The same into a motion whose memory is used again.
+void solveMotion(const Task& task,
+                 const Resolution& resolution,
+                 const JobContext& context,
+                 Motion& motion,
+                 std::vector<PointState>* states = nullptr);
 
 /// A mode's answer with its joints and their worth.
 struct Candidate {

@@ -15,8 +15,9 @@ namespace {
 /// are broken.
 constexpr double kPenalties[] = {1e2, 1e4};
 constexpr int kIterations = 10;
-/// A relative improvement of the merit below this ends a stage.
-constexpr double kConverged = 1e-5;
+/// A relative improvement of the merit below this ends a stage: a thousandth is nothing that a
+/// joint shows.
+constexpr double kConverged = 1e-3;
 constexpr double kFirstDamping = 1e-4;
 constexpr double kMostDamping = 1e4;
 /// Keeps poles that no objective moves where they are, relative to the largest diagonal entry.
@@ -47,6 +48,7 @@ Candidate refine(const Task& task,
   Eigen::VectorXd x = layout.fit(start.resolution.choices);
   Resolution resolution{layout.choices(x), start.resolution.branches};
   Motion motion = solveMotion(task, resolution, context);
+  Motion moved;
   const auto keep = [&] {
     Candidate candidate;
     candidate.mode = RedundancyMode::Optimized;
@@ -69,7 +71,7 @@ Candidate refine(const Task& task,
       }
       const Eigen::VectorXd next = x - step;
       Resolution trial{layout.choices(next), resolution.branches};
-      Motion moved = solveMotion(task, trial, context);
+      solveMotion(task, trial, context, moved);
       Model trialModel = builder.build(trial.choices, moved, penalty, context);
       if (!(trialModel.merit < model.merit)) {
         damping *= 10.0;
@@ -78,7 +80,7 @@ Candidate refine(const Task& task,
       const bool converged = model.merit - trialModel.merit <= kConverged * model.merit;
       x = next;
       resolution = std::move(trial);
-      motion = std::move(moved);
+      std::swap(motion, moved);
       model = std::move(trialModel);
       damping = std::max(damping * 0.1, 1e-9);
       if (converged) {

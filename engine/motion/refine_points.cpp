@@ -15,6 +15,8 @@ namespace wcam::motion::detail {
 namespace {
 
 constexpr std::size_t kGrain = 128;
+/// Points whose first-order data are held at once.
+constexpr std::size_t kBlock = 2048;
 constexpr int kJoints = 8;
 /// Bounds are tightened by this part, so that what the optimum leaves of a violation still holds
 /// the bound itself.
@@ -411,10 +413,6 @@ Model ModelBuilder::build(const std::vector<FreeChoice>& choices,
                           double penalty,
                           const JobContext& context) const {
   const std::vector<std::size_t>& indices = layout_.points();
-  std::vector<Point> points(indices.size());
-  parallelFor(
-      points.size(), kGrain, [&](std::size_t k) { linearise(k, choices, motion, points[k]); },
-      context);
   Model model{0.0, BandMatrix(layout_.size(), layout_.halfBand()),
               Eigen::VectorXd::Zero(layout_.size())};
   Sum sum(model, layout_.scalars());
@@ -422,24 +420,37 @@ Model ModelBuilder::build(const std::vector<FreeChoice>& choices,
   const auto sameBead = [&indices](std::size_t a, std::size_t b) {
     return indices[b] - indices[a] == b - a;
   };
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k % 1024 == 0) {
-      context.check();
+  // A block at a time, with the two points before it in front: what all points need would not stay
+  // in the caches.
+  constexpr std::size_t kBefore = 2;
+  std::vector<Point> block(kBefore + std::min(kBlock, indices.size()));
+  for (std::size_t begin = 0; begin < indices.size(); begin += kBlock) {
+    const std::size_t count = std::min(kBlock, indices.size() - begin);
+    if (begin > 0) {
+      std::move(block.end() - kBefore, block.end(), block.begin());
     }
-    if (!points[k].reachable) {
-      continue;
-    }
-    addPoint(points[k], penalty, sum);
-    if (k == 0 || !points[k - 1].reachable) {
-      continue;
-    }
-    if (sameBead(k - 1, k)) {
-      addStep(points[k - 1], points[k], penalty, sum);
-    } else {
-      addTransition(points[k - 1], points[k], sum);
-    }
-    if (bends && k >= 2 && points[k - 2].reachable && sameBead(k - 2, k)) {
-      addBend(points[k - 2], points[k - 1], points[k], sum);
+    Point* const points = block.data() + kBefore;
+    parallelFor(
+        count, kGrain, [&](std::size_t n) { linearise(begin + n, choices, motion, points[n]); },
+        context);
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::size_t k = begin + n;
+      const Point* const at = points + n;
+      if (!at->reachable) {
+        continue;
+      }
+      addPoint(*at, penalty, sum);
+      if (k == 0 || !at[-1].reachable) {
+        continue;
+      }
+      if (sameBead(k - 1, k)) {
+        addStep(at[-1], *at, penalty, sum);
+      } else {
+        addTransition(at[-1], *at, sum);
+      }
+      if (bends && k >= 2 && at[-2].reachable && sameBead(k - 2, k)) {
+        addBend(at[-2], at[-1], *at, sum);
+      }
     }
   }
   return model;

@@ -12,8 +12,10 @@
 #include "modes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 namespace wcam::motion::detail {
@@ -27,12 +29,14 @@ constexpr int kTableBand = 1;
 constexpr std::size_t kBatch = 32;
 /// A joint move looks at every state before it up to this many, else at the best ones.
 constexpr std::size_t kAllStates = 512;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+/// Above any cost of a path; finite for the kernel.
+constexpr float kNone = std::numeric_limits<float>::max();
 
 /// The 16-bit back pointers of a rung: table index·2·kLanes + lane (both halves) of the rung
 /// before.
-using BackPointers = std::vector<std::uint16_t>;
+using BackPointers = std::unique_ptr<std::uint16_t[]>;
 static_assert(kTableSamples * 2 * kLanes <= 65536);
+static_assert(kLanes % kLaneBlock == 0);
 
 struct Column {
   RungStates states;
@@ -143,10 +147,7 @@ private:
   }
 
   double tableCost(const Steps& steps, double from, double to) const {
-    double d = to - from;
-    if (steps.tableWraps) {
-      d = cell::wrapAngle(d);
-    }
+    const double d = steps.tableWraps ? cell::wrapAngle(to - from) : to - from;
     double cost = steps.table * d * d;
     if (steps.tableSpeed > 0.0) {
       const double ratio = d * d / (steps.tableSpeed * steps.tableSpeed);
@@ -165,38 +166,41 @@ private:
   }
 
   /// Table samples of the rung before from which one of this rung may be reached.
-  std::vector<std::size_t> tableBand(
-      const RungStates& before, int sample, double value, bool wraps, bool wide) const {
-    std::vector<std::size_t> band;
+  void tableBand(const RungStates& before,
+                 int sample,
+                 double value,
+                 bool wraps,
+                 bool wide,
+                 std::vector<std::size_t>& band) const {
+    band.clear();
     const double reach = (kTableBand + 0.5) * builder_.tableStep();
     for (std::size_t k = 0; k < before.tables.size(); ++k) {
-      double d = value - before.tableValues[k];
-      if (wraps) {
-        d = cell::wrapAngle(d);
-      }
-      if (wide || std::abs(d) <= reach || before.tables[k] == sample) {
+      const double d = value - before.tableValues[k];
+      if (wide || std::abs(wraps ? cell::wrapAngle(d) : d) <= reach || before.tables[k] == sample) {
         band.push_back(k);
       }
     }
-    // The reference jumps: any sample, at the price of its speed.
-    return band.empty() ? tableBand(before, sample, value, wraps, true) : band;
+    if (band.empty()) {
+      // The reference jumps: any sample, at the price of its speed.
+      tableBand(before, sample, value, wraps, true, band);
+    }
   }
 
   void step(std::size_t r, const Column& before, Column& now) {
     const Rung& rung = frame_.rungs[r];
     const std::size_t states = now.states.cost.size();
-    now.cost.assign(2 * states, 0.0F);
-    back_[r].assign(states, 0);
-    std::vector<float> best(states, 0.0F);
+    now.cost.resize(2 * states);
+    back_[r] = std::make_unique_for_overwrite<std::uint16_t[]>(states);
+    std::vector<float>& best = best_;
+    best.assign(states, r > 0 ? kNone : 0.0F);
     if (r > 0) {
-      best.assign(states, kInfinity);
       if (rung.firstOfRun) {
-        relaxJointMove(rung, before, now, best, back_[r]);
+        relaxJointMove(rung, before, now, best, back_[r].get());
       } else {
-        relaxBand(rung, before, now, best, back_[r]);
+        relaxBand(rung, before, now, best, back_[r].get());
       }
     }
-    float least = kInfinity;
+    float least = kNone;
     for (std::size_t n = 0; n < states; ++n) {
       best[n] += now.states.cost[n];
       least = std::min(least, best[n]);
@@ -215,33 +219,35 @@ private:
                  const Column& before,
                  Column& now,
                  std::vector<float>& best,
-                 BackPointers& back) const {
+                 std::uint16_t* back) {
     const bool link = rung.firstOfSegment;
     const Steps steps = stepsTo(rung, link);
     const int band = link ? kTorchSamples / 2 : kTorchBand;
-    std::vector<std::int32_t> choice(kLanes);
-    std::vector<std::uint32_t> starts;
+    std::array<std::int32_t, kLanes> choice;
+    std::vector<std::uint32_t>& starts = starts_;
+    std::vector<StepSource>& sources = sources_;
     for (std::size_t table = 0; table < now.states.tables.size(); ++table) {
       const float* to[kSearchRows];
       rowsOf(now.states, table, 0, to);
       starts.clear();
-      std::fill(choice.begin(), choice.end(), 0);
+      sources.clear();
       const double value = now.states.tableValues[table];
-      for (const std::size_t from :
-           tableBand(before.states, now.states.tables[table], value, steps.tableWraps, link)) {
-        const auto base =
-            static_cast<float>(tableCost(steps, before.states.tableValues[from], value));
+      tableBand(before.states, now.states.tables[table], value, steps.tableWraps, link, band_);
+      for (const std::size_t from : band_) {
+        StepSource source;
+        source.base = static_cast<float>(tableCost(steps, before.states.tableValues[from], value));
         for (int shift = -band; shift <= band; ++shift) {
           const auto offset = static_cast<std::size_t>((shift + kTorchSamples) % kTorchSamples) *
                               cell::Branch::kCount;
-          const float* rows[kSearchRows];
-          rowsOf(before.states, from, offset, rows);
-          relaxLanes(to, rows, before.cost.data() + from * 2 * kLanes + offset, base, steps.robot,
-                     kLanes, static_cast<std::int32_t>(starts.size()), best.data() + table * kLanes,
-                     choice.data());
+          rowsOf(before.states, from, offset, source.rows);
+          source.cost = before.cost.data() + from * 2 * kLanes + offset;
+          sources.push_back(source);
           starts.push_back(static_cast<std::uint32_t>(from * 2 * kLanes + offset));
         }
       }
+      choice.fill(0);
+      relaxLanes(to, sources.data(), static_cast<int>(sources.size()), steps.robot, kLanes,
+                 best.data() + table * kLanes, choice.data());
       for (std::size_t n = 0; n < kLanes && !starts.empty(); ++n) {
         back[table * kLanes + n] =
             static_cast<std::uint16_t>(starts[static_cast<std::size_t>(choice[n])] + n);
@@ -276,25 +282,28 @@ private:
                       const Column& before,
                       Column& now,
                       std::vector<float>& best,
-                      BackPointers& back) const {
+                      std::uint16_t* back) const {
     const Steps steps = stepsTo(rung, true);
     const std::vector<std::size_t> starts = startsOf(before);
-    std::vector<std::int32_t> choice(kLanes);
+    std::vector<StepSource> sources(starts.size());
+    for (std::size_t s = 0; s < starts.size(); ++s) {
+      for (int r = 0; r < kSearchRows; ++r) {
+        const std::vector<float>& row = before.states.rows[r];
+        sources[s].rows[r] = row.empty() ? nullptr : row.data() + starts[s];
+      }
+      sources[s].cost = before.cost.data() + starts[s];
+    }
+    std::array<std::int32_t, kLanes> choice;
     for (std::size_t table = 0; table < now.states.tables.size(); ++table) {
       const float* to[kSearchRows];
       rowsOf(now.states, table, 0, to);
-      std::fill(choice.begin(), choice.end(), 0);
       for (std::size_t s = 0; s < starts.size(); ++s) {
-        float from[kSearchRows] = {};
-        for (int r = 0; r < kSearchRows; ++r) {
-          from[r] = before.states.rows[r].empty() ? 0.0F : before.states.rows[r][starts[s]];
-        }
-        const double moved = tableCost(steps, before.states.tableValues[starts[s] / (2 * kLanes)],
-                                       now.states.tableValues[table]);
-        const float base = before.cost[starts[s]] + static_cast<float>(moved);
-        relaxFromOne(to, from, base, steps.robot, kLanes, static_cast<std::int32_t>(s),
-                     best.data() + table * kLanes, choice.data());
+        const double from = before.states.tableValues[starts[s] / (2 * kLanes)];
+        sources[s].base = static_cast<float>(tableCost(steps, from, now.states.tableValues[table]));
       }
+      choice.fill(0);
+      relaxFromStates(to, sources.data(), static_cast<int>(sources.size()), steps.robot, kLanes,
+                      best.data() + table * kLanes, choice.data());
       for (std::size_t n = 0; n < kLanes; ++n) {
         back[table * kLanes + n] =
             static_cast<std::uint16_t>(starts[static_cast<std::size_t>(choice[n])]);
@@ -325,6 +334,9 @@ private:
       path.tableOffset[r] = tables_[r][state / kLanes] * builder_.tableStep();
       path.torchSample[r] = static_cast<double>(lane / cell::Branch::kCount);
       path.branch[r] = static_cast<int>(lane % cell::Branch::kCount);
+      if (r == 0) {
+        break;
+      }
       const std::size_t from = back_[r][state];
       state = from / (2 * kLanes) * kLanes + from % kLanes;
     }
@@ -344,6 +356,11 @@ private:
   std::vector<BackPointers> back_;
   std::vector<std::vector<int>> tables_;
   double offset_ = 0.0;
+  // Memory of a step, kept from rung to rung.
+  std::vector<float> best_;
+  std::vector<std::size_t> band_;
+  std::vector<std::uint32_t> starts_;
+  std::vector<StepSource> sources_;
 };
 
 }  // namespace

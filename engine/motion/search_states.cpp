@@ -279,11 +279,6 @@ void StateBuilder::solveEach(const Rung& rung, RungStates& states) const {
 
 namespace {
 
-float wrapped(float angle) {
-  const auto turn = static_cast<float>(kTurn);
-  return angle - turn * std::rint(angle / turn);
-}
-
 /// A full turn of the sum's joints is a full turn of the sum.
 bool wholeTurns(const CellModel& model, const cell::JointSum& sum) {
   for (std::size_t j = 0; j < sum.factors.size(); ++j) {
@@ -293,12 +288,6 @@ bool wholeTurns(const CellModel& model, const cell::JointSum& sum) {
     }
   }
   return true;
-}
-
-/// How far a value lies outside [−π, π]-shifted limits, of the turn that lies best.
-float outside(float value, float middle, float half, bool periodic) {
-  const float d = value - middle;
-  return std::abs(periodic ? wrapped(d) : d) - half;
 }
 
 }  // namespace
@@ -318,17 +307,14 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
     if (joint.endless) {
       continue;
     }
-    const auto perUnit = SearchPenalty::kBeyond * static_cast<float>(model_.asAngle(j, 1.0));
-    const auto middle = static_cast<float>(0.5 * (joint.min + joint.max));
-    const auto half = static_cast<float>(0.5 * (joint.max - joint.min));
-    const bool periodic = model_.periodic(j);
-    const float* row = states.rows[j].data() + base;
-    for (int n = 0; n < kLanes; ++n) {
-      const float beyond = outside(row[n], middle, half, periodic);
-      const float relative = (beyond + half) / half;
-      cost[n] += weight * relative * relative +
-                 (beyond > 0.0F ? steps * (SearchPenalty::kOutside + perUnit * beyond) : 0.0F);
-    }
+    RangeCost range;
+    range.middle = static_cast<float>(0.5 * (joint.min + joint.max));
+    range.half = static_cast<float>(0.5 * (joint.max - joint.min));
+    range.weight = weight;
+    range.outside = steps * SearchPenalty::kOutside;
+    range.beyond = steps * SearchPenalty::kBeyond * static_cast<float>(model_.asAngle(j, 1.0));
+    range.wraps = model_.periodic(j);
+    addRangeCost(states.rows[j].data() + base, range, kLanes, cost);
   }
   if (cell.arm) {
     addArmCosts(rung, table, states);
@@ -344,16 +330,15 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
     shared += params.weightGravity * angle * angle * static_cast<double>(rung.steps) /
               static_cast<double>(frame_.points);
   }
-  for (int n = 0; n < kLanes; ++n) {
-    const int branch = n % cell::Branch::kCount;
-    cost[n] +=
-        static_cast<float>(shared) + (mayUse(cell, params, branch) ? 0.0F : SearchPenalty::kNever);
-    if (rung.firstOfRun && cell.arm) {
-      const cell::Branch b = cell::Branch::fromIndex(branch);
-      cost[n] += SearchPenalty::kUnusual *
-                 static_cast<float>((b.elbowDown ? 1 : 0) + (b.backwards ? 2 : 0));
-    }
+  float branches[cell::Branch::kCount];
+  for (int k = 0; k < cell::Branch::kCount; ++k) {
+    const cell::Branch branch = cell::Branch::fromIndex(k);
+    const int unusual = cell.arm ? (branch.elbowDown ? 1 : 0) + (branch.backwards ? 2 : 0) : 0;
+    branches[k] = static_cast<float>(shared) +
+                  (mayUse(cell, params, k) ? 0.0F : SearchPenalty::kNever) +
+                  (rung.firstOfRun ? SearchPenalty::kUnusual * static_cast<float>(unusual) : 0.0F);
   }
+  addBranchCost(branches, kLanes, cost);
   for (auto& row : states.rows) {
     if (!row.empty()) {
       std::copy_n(row.data() + base, kLanes, row.data() + base + kLanes);
@@ -367,19 +352,22 @@ void StateBuilder::addSumCosts(const Rung& rung, std::size_t table, RungStates& 
   const std::size_t base = table * 2 * kLanes;
   const auto steps = static_cast<float>(rung.steps);
   for (const cell::JointSum& sum : task_.cell.sums) {
-    const auto middle = static_cast<float>(0.5 * (sum.min + sum.max));
-    const auto half = static_cast<float>(0.5 * (sum.max - sum.min));
-    const bool turns = wholeTurns(model_, sum);
-    for (int n = 0; n < kLanes; ++n) {
-      float value = 0.0F;
-      for (int j = 0; j < task_.cell.robotJoints(); ++j) {
-        value += static_cast<float>(sum.factors[static_cast<std::size_t>(j)]) *
-                 states.rows[j][base + static_cast<std::size_t>(n)];
+    std::array<float, kLanes> values{};
+    for (int j = 0; j < task_.cell.robotJoints(); ++j) {
+      const auto factor = static_cast<float>(sum.factors[static_cast<std::size_t>(j)]);
+      for (std::size_t n = 0; n < kLanes && factor != 0.0F; ++n) {
+        values[n] += factor * states.rows[j][base + n];
       }
-      const float beyond = outside(value, middle, half, turns);
-      cost[n] += beyond > 0.0F ? steps * (SearchPenalty::kOutside + SearchPenalty::kBeyond * beyond)
-                               : 0.0F;
     }
+    RangeCost range;
+    range.middle = static_cast<float>(0.5 * (sum.min + sum.max));
+    range.half = static_cast<float>(0.5 * (sum.max - sum.min));
+    range.weight = 0.0F;
+    range.outside = steps * SearchPenalty::kOutside;
+    range.beyond = steps * SearchPenalty::kBeyond *
+                   static_cast<float>(model_.asAngle(CellModel::firstOf(sum), 1.0));
+    range.wraps = wholeTurns(model_, sum);
+    addRangeCost(values.data(), range, kLanes, cost);
   }
 }
 
@@ -391,38 +379,27 @@ void StateBuilder::addArmCosts(const Rung& rung, std::size_t table, RungStates& 
   const std::size_t base = table * 2 * kLanes;
   const auto steps = static_cast<float>(rung.steps);
   // Wrist and elbow bends are linear in the canonical angles.
-  const float* row5 = states.rows[4].data() + base;
   const float* row2 = states.rows[1].data() + base;
   const float* row3 = states.rows[2].data() + base;
-  const auto g5 = static_cast<float>(arm.gain(4, 4));
-  const auto o5 = static_cast<float>(arm.offset(4));
-  const auto g32 = static_cast<float>(arm.gain(2, 1));
-  const auto g33 = static_cast<float>(arm.gain(2, 2));
+  const float* row5 = states.rows[4].data() + base;
+  const float singular = steps * SearchPenalty::kSingular;
+  addFoldCost(row5, row5,
+              {static_cast<float>(arm.gain(4, 4)), 0.0F, static_cast<float>(arm.offset(4)),
+               static_cast<float>(params.wristMargin.value()), singular},
+              kLanes, cost);
   // Stretched where −d4·cos c3 + r4·sin c3 = 0.
-  const auto o3 = static_cast<float>(arm.offset(2) - std::atan2(arm.d4, arm.r4));
-  const auto wrist = static_cast<float>(params.wristMargin.value());
-  const auto elbow = static_cast<float>(params.elbowMargin.value());
-  const auto halfTurn = static_cast<float>(kPi);
-  for (int n = 0; n < kLanes; ++n) {
-    const float bend5 = std::abs(wrapped(g5 * row5[n] + o5));
-    const float bend3 = std::abs(wrapped(g32 * row2[n] + g33 * row3[n] + o3));
-    const float near5 = bend5 < halfTurn - bend5 ? bend5 : halfTurn - bend5;
-    const float near3 = bend3 < halfTurn - bend3 ? bend3 : halfTurn - bend3;
-    cost[n] += (near5 < wrist ? steps * SearchPenalty::kSingular : 0.0F) +
-               (near3 < elbow ? steps * SearchPenalty::kSingular : 0.0F);
-  }
+  addFoldCost(row2, row3,
+              {static_cast<float>(arm.gain(2, 1)), static_cast<float>(arm.gain(2, 2)),
+               static_cast<float>(arm.offset(2) - std::atan2(arm.d4, arm.r4)),
+               static_cast<float>(params.elbowMargin.value()), singular},
+              kLanes, cost);
   const double limit = params.cableLimit.value();
   if (limit > 0.0) {
     const float sign = arm.gain(3, 3) * arm.gain(5, 5) < 0.0 ? -1.0F : 1.0F;
-    const auto zero = static_cast<float>(params.cableZero.value());
-    const auto most = static_cast<float>(limit);
-    float* twist = states.rows[6].data() + base;
-    for (int n = 0; n < kLanes; ++n) {
-      twist[n] = wrapped(states.rows[3][base + static_cast<std::size_t>(n)] +
-                         sign * states.rows[5][base + static_cast<std::size_t>(n)] - zero);
-      const float over = std::abs(twist[n]) - most;
-      cost[n] += over > 0.0F ? steps * SearchPenalty::kTwist * (1.0F + over) : 0.0F;
-    }
+    addTwistCost(states.rows[3].data() + base, states.rows[5].data() + base,
+                 {sign, static_cast<float>(params.cableZero.value()), static_cast<float>(limit),
+                  steps * SearchPenalty::kTwist},
+                 kLanes, states.rows[6].data() + base, cost);
   }
 }
 

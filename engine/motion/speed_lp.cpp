@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/vector_clones.hpp"
+
 #include "speed_law_detail.hpp"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ struct ZoneRows {
 };
 
 template <int W>
-inline bool fits(const ZoneRows& rows, double a, double b) {
+WCAM_CLONED bool fits(const ZoneRows& rows, double a, double b) {
   const double step = b - a;
   double worst[W];
   for (int j = 0; j < W; ++j) {
@@ -54,7 +56,7 @@ struct Strips {
   double half[kCount];
   double greatestStart = 0.0;
 
-  Strips(const ZoneRows& rows, double start, double top) : greatestStart(start) {
+  WCAM_CLONED Strips(const ZoneRows& rows, double start, double top) : greatestStart(start) {
     double alpha[kCount];
     double beta[kCount];
     for (int j = 0; j < W; ++j) {
@@ -79,7 +81,7 @@ struct Strips {
     }
   }
 
-  static double greatestOf(const double (&v)[kCount]) {
+  static WCAM_CLONED double greatestOf(const double (&v)[kCount]) {
     double lanes[kCount / 2];
     for (int i = 0; i < kCount / 2; ++i) {
       lanes[i] = v[i] > v[i + kCount / 2] ? v[i] : v[i + kCount / 2];
@@ -102,7 +104,7 @@ struct EndRange {
 };
 
 template <int W>
-inline EndRange endRange(const Strips<W>& strips, double start, double top) {
+WCAM_CLONED EndRange endRange(const Strips<W>& strips, double start, double top) {
   // Extremes in a tree of lanes, the slopes carried along.
   constexpr int kHalf = W;
   double high[kHalf];
@@ -138,7 +140,7 @@ inline EndRange endRange(const Strips<W>& strips, double start, double top) {
 /// towards its zero, from a little beyond the neighbouring zone's result where the zero lies before
 /// it.
 template <int W>
-inline double greatestStart(const ZoneRows& rows, double cap, double top, double near) {
+WCAM_CLONED double greatestStart(const ZoneRows& rows, double cap, double top, double near) {
   if (fits<W>(rows, cap, top)) {
     return cap;
   }
@@ -170,7 +172,7 @@ inline double greatestStart(const ZoneRows& rows, double cap, double top, double
 
 /// Greatest x at the zone's end, at most `top`, after a start from which there is one.
 template <int W>
-inline double greatestEnd(const ZoneRows& rows, double start, double top) {
+WCAM_CLONED double greatestEnd(const ZoneRows& rows, double start, double top) {
   if (fits<W>(rows, start, top)) {
     return top;
   }
@@ -179,7 +181,7 @@ inline double greatestEnd(const ZoneRows& rows, double start, double top) {
 }
 
 template <int W>
-inline void reach(const SpeedPieces& p, SpeedNodes& nodes) {
+WCAM_CLONED void reach(const SpeedPieces& p, SpeedNodes& nodes) {
   const std::size_t n = p.cap.size();
   const double* slope = p.slope.data();
   nodes.before[n - 1] = 0.0;
@@ -212,7 +214,7 @@ inline void reach(const SpeedPieces& p, SpeedNodes& nodes) {
 
 }  // namespace
 
-void reachSpeeds(const SpeedPieces& pieces, SpeedNodes& nodes) {
+WCAM_VECTOR_CLONES void reachSpeeds(const SpeedPieces& pieces, SpeedNodes& nodes) {
   if (pieces.width == 4) {
     reach<4>(pieces, nodes);
   } else if (pieces.width == 8) {

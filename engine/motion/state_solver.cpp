@@ -300,10 +300,19 @@ Motion solveMotion(const Task& task,
                    const Resolution& resolution,
                    const JobContext& context,
                    std::vector<PointState>* states) {
+  Motion motion;
+  solveMotion(task, resolution, context, motion, states);
+  return motion;
+}
+
+void solveMotion(const Task& task,
+                 const Resolution& resolution,
+                 const JobContext& context,
+                 Motion& motion,
+                 std::vector<PointState>* states) {
   const Cell& cell = task.cell;
   const std::vector<Target>& targets = task.targets;
   const std::vector<std::size_t> run = runOfTargets(task.runs);
-  Motion motion;
   motion.waypoints.resize(targets.size());
   if (states != nullptr) {
     states->resize(targets.size());
@@ -314,7 +323,7 @@ Motion solveMotion(const Task& task,
     if (!cell.inverse->freeRotation()) {
       takeOwnRotation(cell, motion, context);
     }
-    return motion;
+    return;
   }
   std::vector<char> open(targets.size(), 0);
   parallelFor(
@@ -337,7 +346,6 @@ Motion solveMotion(const Task& task,
   if (!cell.inverse->freeRotation()) {
     takeOwnRotation(cell, motion, context);
   }
-  return motion;
 }
 
 Candidate makeCandidate(const Task& task,

@@ -22,7 +22,7 @@ constexpr int kSliceVersion = 2;
 constexpr int kPathVersion = 1;
 constexpr int kProcessVersion = 1;
 constexpr int kCellVersion = 2;
-constexpr int kMotionVersion = 2;
+constexpr int kMotionVersion = 3;
 constexpr int kProgramVersion = 1;
 
 std::string placementText(const Placement& placement) {
@@ -376,6 +376,15 @@ OperationResult Pipeline::compute(const std::string& id, const JobContext& conte
   }
 }
 
+OperationResult Pipeline::computePath(const std::string& id, const JobContext& context) const {
+  const Operation& operation = operationOf(id);
+  try {
+    return computeStages(operation, Until::Path, context);
+  } catch (const Error& error) {
+    rethrowIn(error, "operation '" + id + "'");
+  }
+}
+
 motion::PlacementMap Pipeline::searchPlacement(const std::string& id,
                                                const motion::PlacementSearch& search,
                                                const JobContext& context) const {
@@ -478,6 +487,9 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   collectFrom(processed);
   result.path = processed.value;
 
+  if (until == Until::Path) {
+    return result;
+  }
   const Staged<cell::Cell> cell = stageCell(context);
   collectFrom(cell);
   result.cell = cell.value;

@@ -9,6 +9,7 @@
 #include "dialogs.hpp"
 #include "main_window.hpp"
 #include "node_form.hpp"
+#include "pdf_report.hpp"
 #include "placing.hpp"
 #include "widgets/text.hpp"
 
@@ -411,16 +412,16 @@ void MainWindow::copyNode() {
   }
   const QByteArray text = QByteArray::fromStdString(
       toCanonicalJson(Value::object({{"list", node.list}, {"node", *value}})));
-  auto* data = new QMimeData;
-  data->setData(kNodeFormat, text);
-  data->setText(QString::fromUtf8(text));
-  QApplication::clipboard()->setMimeData(data);
+  auto* mime = new QMimeData;
+  mime->setData(kNodeFormat, text);
+  mime->setText(QString::fromUtf8(text));
+  QApplication::clipboard()->setMimeData(mime);
 }
 
 void MainWindow::pasteNode() {
-  const QMimeData* data = QApplication::clipboard()->mimeData();
+  const QMimeData* mime = QApplication::clipboard()->mimeData();
   const QByteArray text =
-      data->hasFormat(kNodeFormat) ? data->data(kNodeFormat) : data->text().toUtf8();
+      mime->hasFormat(kNodeFormat) ? mime->data(kNodeFormat) : mime->text().toUtf8();
   try {
     const Value copied = parseJson(text.toStdString(), "clipboard");
     const std::string list = copied.at("list").asString();
@@ -475,7 +476,7 @@ void MainWindow::saveReport() {
   const std::filesystem::path base = session_->base();
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save report"), qt(pathText(base.parent_path() / (base.stem().string() + ".html"))),
-      tr("Web pages (*.html)"));
+      tr("Web pages (*.html);;PDF documents (*.pdf)"));
   if (!file.isEmpty()) {
     writeReport(pathFromText(utf8(file)));
   }
@@ -501,7 +502,13 @@ void MainWindow::writeReport(const std::filesystem::path& file) {
          const project::RunResult result = project::runProject(pipeline, request, context);
          std::string html = project::htmlReport(pipeline.document(), result);
          html.insert(std::min(html.rfind("</body>"), html.size()), picture);
-         writeFileAtomically(file, html);
+         if (file.extension() == ".pdf") {
+           const QByteArray pdf = pdfReport(html);
+           writeFileAtomically(
+               file, std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
+         } else {
+           writeFileAtomically(file, html);
+         }
        },
        [this, file](const std::optional<Error>& error) {
          if (!error) {

@@ -91,21 +91,39 @@ Generated generate(const project::Pipeline& pipeline,
     shown.id = wanted[i]->id;
     const double begin = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(wanted.size());
     const double end = 0.2 + 0.8 * static_cast<double>(i + 1) / static_cast<double>(wanted.size());
-    shown.error = errorOf([&] {
-      auto computed = std::make_shared<const project::OperationResult>(
-          pipeline.compute(shown.id, context.portion(begin, end, shown.id)));
-      context.check();
-      result.cell = computed->cell;
-      const GeneratedOperation* old = before.operation(shown.id);
-      if (old != nullptr && old->path && sameResult(old->path->result(), *computed)) {
+    const GeneratedOperation* old = before.operation(shown.id);
+    const auto take = [&](project::OperationResult&& computed) {
+      // The same beads keep their old motion until the new one is there.
+      const bool same = old != nullptr && old->path &&
+                        (computed.motion == nullptr ? old->path->result().path == computed.path
+                                                    : sameResult(old->path->result(), computed));
+      if (same) {
         shown.path = old->path;
         shown.substrate = old->substrate;
         return;
       }
-      shown.substrate = viewport::prepare(meshOf(*computed->substrate));
-      shown.path = std::make_shared<const PathModel>(std::move(computed));
+      shown.substrate = viewport::prepare(meshOf(*computed.substrate));
+      shown.path = std::make_shared<const PathModel>(
+          std::make_shared<const project::OperationResult>(std::move(computed)));
+    };
+    // The beads first: they are there long before their motion, and when there is none at all.
+    shown.error = errorOf([&] {
+      take(pipeline.computePath(shown.id, context.portion(begin, 0.5 * (begin + end), shown.id)));
+      context.check();
     });
-    result.operations.push_back(std::move(shown));
+    result.operations.push_back(shown);
+    if (!shown.error) {
+      step(result);
+      // Without a motion there are the new beads all the same.
+      shown.error = errorOf([&] {
+        project::OperationResult computed =
+            pipeline.compute(shown.id, context.portion(0.5 * (begin + end), end, shown.id));
+        context.check();
+        result.cell = computed.cell;
+        take(std::move(computed));
+      });
+    }
+    result.operations.back() = std::move(shown);
     step(result);
   }
   return result;

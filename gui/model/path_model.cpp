@@ -44,6 +44,7 @@ const char* unitOf(Quantity quantity) noexcept {
     case Quantity::Distance:
     case Quantity::Width:
     case Quantity::ReachMargin:
+    case Quantity::Clearance:
       return "mm";
     case Quantity::TravelSpeed:
     case Quantity::TcpSpeed:
@@ -272,6 +273,11 @@ std::vector<float> PathModel::values(Quantity quantity) const {
   const bool motionNeeded = quantity == Quantity::TcpSpeed || quantity == Quantity::LimitMargin ||
                             quantity == Quantity::Singularity || quantity == Quantity::ReachMargin;
   std::vector<float> values(size(), kNone);
+  if (quantity == Quantity::Clearance) {
+    const std::vector<float>& distance = result_->collisions.distance;
+    std::copy_n(distance.begin(), std::min(distance.size(), size()), values.begin());
+    return values;
+  }
   for (std::size_t i = 0; i < size(); ++i) {
     if (quantity == Quantity::Layer) {
       values[i] = static_cast<float>(layer_[i]);

@@ -29,11 +29,12 @@ enum class Quantity {
   ReachMargin,
   Singularity,
   LimitMargin,
+  Clearance,
   Finding,
   Time
 };
 
-inline constexpr int kQuantityCount = 15;
+inline constexpr int kQuantityCount = 16;
 
 /// Unit of a quantity, "" for counts.
 const char* unitOf(Quantity quantity) noexcept;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "prepared_vtk.hpp"
+#include "simplify.hpp"
 #include "vtk_arrays.hpp"
 
 #include <vtkFloatArray.h>
@@ -15,6 +16,9 @@ namespace {
 
 // Above this many moves beads are lines: solids would need gigabytes and seconds (PERFORMANCE i).
 constexpr std::size_t kMaxSolidMoves = 200000;
+/// Triangles of a part that are drawn: more than a view has room for, and few enough for a frame of
+/// software rendering.
+constexpr std::size_t kMostTriangles = 100000;
 
 PreparedChunk chunkOf(const ChunkRange& range, BeadSolid built) {
   PreparedChunk chunk;
@@ -60,6 +64,7 @@ bool PreparedPath::onlyLines() const {
 
 std::shared_ptr<const PreparedMesh> prepare(MeshData mesh) {
   auto prepared = std::make_shared<PreparedMesh>();
+  mesh = simplified(std::move(mesh), kMostTriangles);
   prepared->surface = surfaceOf(mesh);
   if (mesh.edgeBegin.size() > 1) {
     prepared->edges = edgesOf(mesh);

@@ -43,6 +43,8 @@ QString nameOf(Quantity quantity) {
       return QCoreApplication::translate("text", "Distance to wrist singularity");
     case Quantity::LimitMargin:
       return QCoreApplication::translate("text", "Joint-limit margin");
+    case Quantity::Clearance:
+      return QCoreApplication::translate("text", "Distance to collision");
     case Quantity::Finding:
       return QCoreApplication::translate("text", "Findings");
     case Quantity::Time:

@@ -28,10 +28,15 @@ if(WCAM_BUILD_GUI)
   if(NOT WCAM_BUILD_GUI STREQUAL "AUTO")
     set(wcam_gui_required REQUIRED)
   endif()
-  find_package(Qt6 6.4 ${wcam_gui_required} COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets LinguistTools)
+  find_package(Qt6 6.4 ${wcam_gui_required} COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
+  # What the benchmarks need as well: VTK's targets must be made in one place.
+  set(wcam_vtk_bench "")
+  if(WCAM_BUILD_BENCH)
+    set(wcam_vtk_bench IOGeometry)
+  endif()
   find_package(VTK 9.1 ${wcam_gui_required} COMPONENTS
     CommonCore CommonDataModel CommonMath FiltersCore FiltersSources IOImage RenderingAnnotation RenderingCore
-    RenderingFreeType RenderingOpenGL2)
+    RenderingFreeType RenderingOpenGL2 ${wcam_vtk_bench})
   if(NOT Qt6_FOUND OR NOT VTK_FOUND)
     message(STATUS "the front-end is left out: Qt 6 or VTK is missing (packaging/quickstart gui installs them)")
     set(WCAM_BUILD_GUI OFF)

@@ -15,6 +15,16 @@ if(TARGET camcli)
   set_target_properties(camcli PROPERTIES INSTALL_RPATH "$ORIGIN/${library_from_program}")
   install(TARGETS camcli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT cli)
   install(FILES "${PROJECT_SOURCE_DIR}/packaging/camcli.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT cli)
+  # From the option table of the program that was just built.
+  set(completion "${PROJECT_BINARY_DIR}/package/completion")
+  file(MAKE_DIRECTORY "${completion}")
+  add_custom_command(OUTPUT "${completion}/camcli" "${completion}/_camcli" VERBATIM
+    COMMAND camcli completion bash > "${completion}/camcli"
+    COMMAND camcli completion zsh > "${completion}/_camcli"
+    DEPENDS camcli)
+  add_custom_target(wcam_completion ALL DEPENDS "${completion}/camcli" "${completion}/_camcli")
+  install(FILES "${completion}/camcli" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT cli)
+  install(FILES "${completion}/_camcli" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" COMPONENT cli)
 endif()
 
 if(TARGET wcam)

@@ -1650,6 +1650,10 @@
         <translation>Marge aux butées</translation>
     </message>
     <message>
+        <source>Distance to collision</source>
+        <translation>Distance de collision</translation>
+    </message>
+    <message>
         <source>Findings</source>
         <translation>Constats</translation>
     </message>
@@ -2866,8 +2870,8 @@
         <translation>Enregistrer le rapport</translation>
     </message>
     <message>
-        <source>Web pages (*.html)</source>
-        <translation>Pages web (*.html)</translation>
+        <source>Web pages (*.html);;PDF documents (*.pdf)</source>
+        <translation>Pages web (*.html);;Documents PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Report</source>

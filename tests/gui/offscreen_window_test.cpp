@@ -184,6 +184,22 @@ TEST_F(Offscreen, TheReportIsAPageOfTheProject) {
   }
 }
 
+TEST_F(Offscreen, TheReportIsAPdfToo) {
+  open();
+  window.writeReport(folder / "report.pdf");
+  ASSERT_TRUE(waitFor([&] { return !window.noticeText().isEmpty(); }));
+  const std::string pdf = readFile(folder / "report.pdf");
+  EXPECT_TRUE(pdf.starts_with("%PDF-1")) << pdf.substr(0, 20);
+  EXPECT_NE(pdf.rfind("%%EOF"), std::string::npos);
+  // Every operation has a picture of its path, height, speed and joints.
+  std::size_t pictures = 0;
+  for (std::size_t at = pdf.find("/Subtype /Image"); at != std::string::npos;
+       at = pdf.find("/Subtype /Image", at + 1)) {
+    ++pictures;
+  }
+  EXPECT_GE(pictures, 8U);
+}
+
 TEST_F(Offscreen, TemplatesBecomeProjectsWhoseFilesAreCopiedOnSaving) {
   NewDialog dialog;
   auto* list = dialog.findChild<QListWidget*>("templates");

@@ -234,5 +234,34 @@ TEST(Generation, KeepsWhatIsTheSame) {
   EXPECT_NE(second.operation("planar")->path, first.operation("planar")->path);
 }
 
+TEST(Generation, ShowsBeadsBeforeTheirMotionAndWithoutACell) {
+  const std::filesystem::path file =
+      std::filesystem::path(WCAM_RESOURCES) / "projects/elbow/elbow.wcam";
+  const auto plugins =
+      std::make_shared<const plugin::PluginHost>(plugin::defaultPluginSearch({}, false));
+  const project::Document whole = wcam::test::withQuickMotion(project::loadProject(file).document);
+  std::vector<bool> motions;
+  const auto record = [&](const Generated& partial) {
+    if (const GeneratedOperation* shown = partial.operation("planar")) {
+      ASSERT_TRUE(shown->path);
+      EXPECT_GT(shown->path->size(), 100U);
+      motions.push_back(shown->path->result().motion != nullptr);
+    }
+  };
+  generate(project::Pipeline(whole, file, plugins), "planar", Generated(), JobContext(), record);
+  ASSERT_GE(motions.size(), 2U);
+  EXPECT_FALSE(motions.front()) << "the beads are there first";
+  EXPECT_TRUE(motions.back());
+
+  const project::Document document = project::apply(whole, {"cell.remove", Value::object({})});
+  const Generated result = generate(project::Pipeline(document, file, plugins), {}, Generated(),
+                                    JobContext(), [](const Generated&) {});
+  const GeneratedOperation* shown = result.operation("planar");
+  ASSERT_TRUE(shown != nullptr && shown->path);
+  EXPECT_GT(shown->path->size(), 100U);
+  ASSERT_TRUE(shown->error);
+  EXPECT_NE(std::string(shown->error->what()).find("no cell"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace wcam::gui

@@ -18,6 +18,9 @@ struct CollisionStatistics {
   std::size_t nearPoints = 0;       ///< below the safety distance, without the colliding ones
   std::size_t turnedPoints = 0;     ///< by exit rotations
   double greatestExit = 0.0;        ///< rad
+  /// Least distance on the way to each waypoint and at it, mm, negative: depth; cut off like
+  /// leastDistance. NaN where the waypoint is not reached; empty when nothing was checked.
+  std::vector<float> distance;
 };
 
 /// States of a motion with what is deposited by then. The moves between beads are followed in steps

@@ -58,8 +58,14 @@ public:
   [[nodiscard]] OperationResult compute(const std::string& operation,
                                         const JobContext& context) const;
 
+  /// The beads alone, without cell, motion and program: what a view shows first, and all that there is
+  /// while no cell is chosen.
+  /// @throws Error as compute
+  [[nodiscard]] OperationResult computePath(const std::string& operation,
+                                            const JobContext& context) const;
+
   /// Searches a place of an operation's part on its table, see motion::searchPlacement. Computes
-  /// everything up to the beads.
+  /// everything up to the beads, and the cell.
   /// @throws Error as compute
   [[nodiscard]] motion::PlacementMap searchPlacement(const std::string& operation,
                                                      const motion::PlacementSearch& search,
@@ -93,7 +99,7 @@ private:
   [[nodiscard]] process::ProcessParams processOf(const Operation& operation,
                                                  Value& completed) const;
   /// The last stage that is wanted.
-  enum class Until { Cell, Program };
+  enum class Until { Path, Cell, Program };
   /// @throws Error(InvalidArgument) with a near name
   [[nodiscard]] const Operation& operationOf(const std::string& id) const;
   [[nodiscard]] OperationResult computeStages(const Operation& operation,
