@@ -58,8 +58,8 @@ public:
   [[nodiscard]] OperationResult compute(const std::string& operation,
                                         const JobContext& context) const;
 
-  /// The beads alone, without cell, motion and program: what a view shows first, and all that there is
-  /// while no cell is chosen.
+  /// The beads alone, without cell, motion and program: what a view shows first, and all that there
+  /// is while no cell is chosen.
   /// @throws Error as compute
   [[nodiscard]] OperationResult computePath(const std::string& operation,
                                             const JobContext& context) const;
