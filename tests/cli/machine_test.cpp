@@ -60,5 +60,19 @@ TEST_F(Machine, aGenericPostWritesTheProgram) {
   }
 }
 
+TEST_F(Machine, aPlaceIsSearched) {
+  const std::filesystem::path project = elbowOn("debout_5axis");
+  const ProcessResult search =
+      camcli({"place", "--project", project.native(), "--operation", "planar", "--range", "50",
+              "--step", "50", "--turn", "180", "--map", "map.csv", "--json"});
+  EXPECT_EQ(search.exitCode, 0) << search.err;
+  const Value map = parseJson(search.out);
+  const Value& best =
+      map.at("places").asArray().at(static_cast<std::size_t>(map.at("best").asInteger()));
+  EXPECT_EQ(best.at("failing_points").asReal(), 0.0);
+  EXPECT_TRUE(best.at("axis_distance_mm").isNull());
+  EXPECT_EQ(best.at("branch").asString().substr(0, 1), "A");
+}
+
 }  // namespace
 }  // namespace wcam::testing
