@@ -38,6 +38,12 @@ using BackPointers = std::unique_ptr<std::uint16_t[]>;
 static_assert(kTableSamples * 2 * kLanes <= 65536);
 static_assert(kLanes % kLaneBlock == 0);
 
+/// Of a joint that the robot does not have: at rest. The twist's row is left out instead.
+const float* unusedRow(int row) {
+  static constexpr std::array<float, 2 * kLanes> kRest{};
+  return row + 1 == kSearchRows ? nullptr : kRest.data();
+}
+
 struct Column {
   RungStates states;
   std::vector<float> cost;  ///< 2·kLanes per table, the second half a copy
@@ -161,7 +167,7 @@ private:
               std::size_t offset,
               const float** rows) const {
     for (int r = 0; r < kSearchRows; ++r) {
-      rows[r] = states.rows[r].empty() ? nullptr : states.row(r, table) + offset;
+      rows[r] = states.rows[r].empty() ? unusedRow(r) : states.row(r, table) + offset;
     }
   }
 
@@ -289,7 +295,7 @@ private:
     for (std::size_t s = 0; s < starts.size(); ++s) {
       for (int r = 0; r < kSearchRows; ++r) {
         const std::vector<float>& row = before.states.rows[r];
-        sources[s].rows[r] = row.empty() ? nullptr : row.data() + starts[s];
+        sources[s].rows[r] = row.empty() ? unusedRow(r) : row.data() + starts[s];
       }
       sources[s].cost = before.cost.data() + starts[s];
     }
