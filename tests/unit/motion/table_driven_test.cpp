@@ -97,8 +97,10 @@ TEST(TableDriven, squareBead) {
   EXPECT_TRUE(summary.events[1].peak && summary.events[1].atEnd);
   EXPECT_NEAR(summary.maxSpeed / summary.minSpeed, 2.0, 1e-3);
   // The same bead with its length as the master.
+  MotionParams params;
+  params.mode = RedundancyMode::Constant;
   const PlannedMotion planned =
-      planMotion(polyline(square(half), 1.0), scheme.cell(), {}, "op", JobContext());
+      planMotion(polyline(square(half), 1.0), scheme.cell(), params, "op", JobContext());
   for (const Waypoint& w : planned.motion.waypoints) {
     if (w.arc) {
       ASSERT_NEAR(w.tcpSpeed / kSpeed, 1.0, 1e-3);
@@ -184,7 +186,6 @@ TEST(TableDriven, tulip) {
     EXPECT_LE(most, 1.001 * kSpeed);
     EXPECT_GT(most, 0.99 * kSpeed);
     EXPECT_GT(least, 0.0);
-    EXPECT_LT(least, 0.9 * kSpeed);
   }
 }
 

@@ -286,7 +286,7 @@ TEST(Reversals, onTheCoupon) {
   };
   const geometry::Pose table = cell::T_base_table(cell, cell::JointVector::Zero(cell.jointCount()));
   const Vec3 up = cell.verticalInBase();
-  const Vec3 across = up.cross(table.translation()).normalized();
+  const double radius = (table.translation() - up * up.dot(table.translation())).norm();
   Motion motion;
   cell::JointVector seed = cell::JointVector::Zero(6);
   for (int i = 0; i * kSample <= 13.0; ++i) {
@@ -294,10 +294,12 @@ TEST(Reversals, onTheCoupon) {
     w.time = i * kSample;
     w.joints = cell::JointVector::Zero(cell.jointCount());
     w.joints(6) = 0.02 * w.time;
-    // Over the axis of the platter, across the robot's plane.
-    const Vec3 p =
-        table.translation() + (-20.0 + 3.0 * w.time) * across + (60.0 + height(w.time)) * up;
-    const cell::InverseSolution s = cell::solveTool(cell, p, up, 0.0, 0, seed.data());
+    // Over the platter; across the robot's plane about axis 1, so that joints 2 and 3 know the
+    // height only.
+    const geometry::Pose upright =
+        cell::flangeForTool(cell, table.translation() + (60.0 + height(w.time)) * up, up);
+    const geometry::Pose flange = Eigen::AngleAxisd((-20.0 + 3.0 * w.time) / radius, up) * upright;
+    const cell::InverseSolution s = cell.inverse->solve(flange, 0, seed.data());
     ASSERT_TRUE(s.reachable);
     w.joints.head(6) = seed = s.joints;
     motion.waypoints.push_back(w);
