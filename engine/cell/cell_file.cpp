@@ -258,8 +258,8 @@ void readOther(Reader& reader,
                Cell& cell) {
   (void)reader.text(file, "", "other_configuration", false);
   const auto other = otherConfigurationFile(file, folder);
-  if (!other) {
-    return;
+  if (!other || folder.empty()) {
+    return;  // a value without a place has no files beside it
   }
   try {
     const std::string name = pathText(*other);
@@ -339,7 +339,7 @@ Cell cellFromValue(const Value& value,
 Cell loadCell(const std::filesystem::path& file, const JobContext& context) {
   const std::string name = pathText(file);
   return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context,
-                       file.parent_path());
+                       file.has_parent_path() ? file.parent_path() : ".");
 }
 
 }  // namespace wcam::cell
