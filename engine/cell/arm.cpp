@@ -198,6 +198,18 @@ IkResult inverseArm(const Arm& arm, const Pose& T_base_flange, const double* see
   return result;
 }
 
+ArmMeasures armMeasures(const Arm& arm, const double* q) {
+  const Vector6 c = arm.gain * Eigen::Map<const Vector6>(q) + arm.offset;
+  const double forearm = std::hypot(arm.d4, arm.r4);
+  const double c23 = c(1) + c(2);
+  ArmMeasures own;
+  own.wristSine = std::abs(std::sin(c(4)));
+  own.elbowSine = std::abs(-arm.d4 * std::cos(c(2)) + arm.r4 * std::sin(c(2))) / forearm;
+  own.axisDistance = std::hypot(
+      arm.a1 + arm.a2 * std::sin(c(1)) - arm.d4 * std::cos(c23) + arm.r4 * std::sin(c23), arm.b);
+  return own;
+}
+
 Branch branchOf(const Arm& arm, const double* q) {
   const Vector6 c = arm.gain * Eigen::Map<const Vector6>(q) + arm.offset;
   const double t = c(1) + c(2);

@@ -33,7 +33,25 @@ public:
   [[nodiscard]] InverseSolution solve(const Pose& T_base_flange,
                                       int branch,
                                       const double* seed) const override {
-    const IkSolution found = inverseArm(arm_, T_base_flange, Branch::fromIndex(branch), seed);
+    return general(inverseArm(arm_, T_base_flange, Branch::fromIndex(branch), seed));
+  }
+
+  void solveAll(const Pose& T_base_flange,
+                std::span<InverseSolution> solutions,
+                const double* seed) const override {
+    const IkResult found = inverseArm(arm_, T_base_flange, seed);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      solutions[k] = general(found[k]);
+    }
+  }
+
+  [[nodiscard]] SingularityMeasures measures(const double* q) const override {
+    const ArmMeasures own = armMeasures(arm_, q);
+    return {own.wristSine, own.elbowSine, own.axisDistance};
+  }
+
+private:
+  static InverseSolution general(const IkSolution& found) {
     InverseSolution solution;
     solution.reachable = found.reachable;
     solution.joints = found.joints;
@@ -47,11 +65,18 @@ public:
     return solution;
   }
 
-private:
   Arm arm_;
 };
 
 }  // namespace
+
+void InverseKinematics::solveAll(const Pose& T_base_flange,
+                                 std::span<InverseSolution> solutions,
+                                 const double* seed) const {
+  for (int branch = 0; branch < branches(); ++branch) {
+    solutions[static_cast<std::size_t>(branch)] = solve(T_base_flange, branch, seed);
+  }
+}
 
 Pose flangeForTool(const Cell& cell, const Vec3& point, const Vec3& axis, double rotation) {
   Pose T_base_tcp = Pose::Identity();

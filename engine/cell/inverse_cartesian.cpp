@@ -113,14 +113,12 @@ public:
     return robot_.joints[kLinear + 1].name + (branch == 0 ? "+" : "-");
   }
 
-  [[nodiscard]] int branchOf(const double* q) const override {
-    // The direction that the first two rotary joints turn, with the first at zero.
-    std::array<double, 2> values{0.0, q[kLinear + 1]};
-    const auto& coupling = two_.joints[1].coupling;
-    if (!coupling.empty()) {
-      values[1] += two_.joints[1].sign * coupling[0] * q[kLinear];
-    }
-    return sideOf(chainPose(two_, values.data()).linear() * turned_);
+  [[nodiscard]] int branchOf(const double* q) const override { return sideOf(directionAt(q)); }
+
+  [[nodiscard]] SingularityMeasures measures(const double* q) const override {
+    SingularityMeasures own;
+    own.wristSine = first_.cross(directionAt(q)).norm() * sines_;
+    return own;
   }
 
   [[nodiscard]] InverseSolution solve(const Pose& T_base_flange,
@@ -147,6 +145,16 @@ public:
   }
 
 private:
+  /// The direction that the first two rotary joints turn, with the first at zero.
+  [[nodiscard]] Vec3 directionAt(const double* q) const {
+    std::array<double, 2> values{0.0, q[kLinear + 1]};
+    const auto& coupling = two_.joints[1].coupling;
+    if (!coupling.empty()) {
+      values[1] += two_.joints[1].sign * coupling[0] * q[kLinear];
+    }
+    return chainPose(two_, values.data()).linear() * turned_;
+  }
+
   [[nodiscard]] Vec3 wantedDirection(const Pose& T_base_flange) const {
     return robot_.size() == 6
                ? Vec3(T_base_flange.linear() * robot_.T_last_tip.linear().transpose().col(2))

@@ -7,6 +7,7 @@
 
 #include "inverse_detail.hpp"
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -55,6 +56,10 @@ public:
       size_ += std::abs(joint.d) + std::abs(joint.r);
     }
     size_ += robot.T_last_tip.translation().norm();
+    farthest_ = size_ + tool.point.norm();
+    for (const Joint& joint : robot.joints) {
+      farthest_ += joint.prismatic() ? std::max(std::abs(joint.min), std::abs(joint.max)) : 0.0;
+    }
     for (int k = 0; k < kPostures; ++k) {
       postures_.push_back(posture(k));
     }
@@ -98,6 +103,8 @@ public:
       return best;
     }
     double bestExcess = std::numeric_limits<double>::infinity();
+    const bool hopeless =
+        (T_base_flange * tool_.point - robot_.T_root_first.translation()).norm() > farthest_;
     for (int k = seed != nullptr ? -1 : 0; k < kPostures; ++k) {
       JointVector start = seed != nullptr
                               ? JointVector(Eigen::Map<const Eigen::VectorXd>(seed, robot_.size()))
@@ -114,14 +121,52 @@ public:
         best = found;
         bestExcess = excess;
       }
-      if (best.reachable && bestExcess == 0.0) {
+      // What a seed leads to is kept: another solution would be a jump.
+      if (hopeless || (best.reachable && (bestExcess == 0.0 || k < 0))) {
         break;
       }
     }
     return best;
   }
 
+  [[nodiscard]] SingularityMeasures measures(const double* q) const override {
+    const JointVector joints = Eigen::Map<const Eigen::VectorXd>(q, robot_.size());
+    Error6 error;
+    Derivative derivative;
+    evaluate(chainPose(robot_, q), joints, error, derivative);
+    SingularityMeasures own;
+    own.wristSine = independence(derivative);
+    return own;
+  }
+
 private:
+  using Derivative = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
+
+  /// Least sine of the angle between what one joint does and what all others together can do: 0 in
+  /// a singularity, the one figure that every kind of robot has. Lengths count over size_.
+  static double independence(const Derivative& derivative) {
+    Derivative unit = derivative;
+    for (Eigen::Index j = 0; j < unit.cols(); ++j) {
+      const double length = unit.col(j).norm();
+      if (!(length > 0.0)) {
+        return 0.0;
+      }
+      unit.col(j) /= length;
+    }
+    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+    const Eigen::SelfAdjointEigenSolver<Square> solver(Square(unit.transpose() * unit));
+    double largest = 1.0;
+    for (Eigen::Index j = 0; j < unit.cols(); ++j) {
+      double sum = 0.0;
+      for (Eigen::Index k = 0; k < unit.cols(); ++k) {
+        const double part = solver.eigenvectors()(j, k);
+        sum += part * part / std::max(solver.eigenvalues()(k), kLeastEigenvalue);
+      }
+      largest = std::max(largest, sum);
+    }
+    return 1.0 / std::sqrt(largest);
+  }
+
   [[nodiscard]] bool isPrismatic(int joint) const {
     return robot_.joints[static_cast<std::size_t>(joint)].prismatic();
   }
@@ -156,7 +201,7 @@ private:
   void evaluate(const Pose& wanted,
                 const JointVector& q,
                 Error6& error,
-                Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>& derivative) const {
+                Derivative& derivative) const {
     const Pose pose = chainPose(robot_, q.data());
     const Vec3 point = pose * tool_.point;
     const Jacobian jacobian = chainJacobian(robot_, q.data(), point);
@@ -185,8 +230,8 @@ private:
                                        const double* seed) const {
     Error6 error;
     Error6 nextError;
-    Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6> derivative;
-    Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6> nextDerivative;
+    Derivative derivative;
+    Derivative nextDerivative;
     evaluate(wanted, q, error, derivative);
     double damping = 1e-3;
     for (int step = 0; step < kMaxSteps && error.norm() > kSolved; ++step) {
@@ -213,12 +258,11 @@ private:
     return solutionAt(wanted, q, error, derivative, seed);
   }
 
-  [[nodiscard]] InverseSolution solutionAt(
-      const Pose& wanted,
-      JointVector q,
-      const Error6& error,
-      const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>& derivative,
-      const double* seed) const {
+  [[nodiscard]] InverseSolution solutionAt(const Pose& wanted,
+                                           JointVector q,
+                                           const Error6& error,
+                                           const Derivative& derivative,
+                                           const double* seed) const {
     InverseSolution solution;
     for (int j = 0; j < robot_.size(); ++j) {
       const Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
@@ -232,15 +276,7 @@ private:
     solution.missing = (wanted * tool_.point - chainPose(robot_, q.data()) * tool_.point).norm();
     solution.tilt = error.tail<3>().norm();
     solution.reachable = error.norm() <= kAccepted;
-    const Eigen::MatrixXd gram = derivative.transpose() * derivative;
-    const double determinant = std::max(gram.determinant(), 0.0);
-    double product = 1.0;
-    for (Eigen::Index j = 0; j < gram.rows(); ++j) {
-      product *= gram(j, j);
-    }
-    // 1 for independent columns at right angles, 0 in a singularity: the one figure that every kind
-    // of robot has.
-    solution.wristSine = product > 0.0 ? std::sqrt(determinant / product) : 0.0;
+    solution.wristSine = independence(derivative);
     solution.wristSingular = solution.wristSine < kSingular;
     return solution;
   }
@@ -259,10 +295,12 @@ private:
   /// Errors (relative, rad) that count as reached, and the measure of a singularity.
   static constexpr double kAccepted = 1e-9;
   static constexpr double kSingular = 1e-9;
+  static constexpr double kLeastEigenvalue = 1e-20;
 
   Chain robot_;
   Tool tool_;
-  double size_ = 1.0;  ///< length that counts as much as 1 rad, mm
+  double size_ = 1.0;      ///< length that counts as much as 1 rad, mm
+  double farthest_ = 0.0;  ///< that the tool point can be from the first joint's frame, mm
   std::vector<JointVector> postures_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "verbs.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace wcam::cli {
@@ -25,10 +26,13 @@ std::string describe(const motion::PartPlace& place) {
          ", score " + formatFixed(place.score, 3) + ", limits " +
          formatFixed(radToDeg(place.limitMargin), 1) + " deg, wrist " +
          formatFixed(radToDeg(place.wristBend), 1) + " deg, elbow " +
-         formatFixed(radToDeg(place.elbowBend), 1) + " deg, axis 1 " +
-         formatFixed(place.axisDistance, 0) + " mm, dexterity " + formatFixed(place.dexterity, 3) +
-         ", clearance " + formatFixed(place.clearance, 1) + " mm, " + place.branch +
-         ", torch rotation " + formatFixed(radToDeg(place.torchRotation), 0) + " deg";
+         formatFixed(radToDeg(place.elbowBend), 1) + " deg, " +
+         (std::isfinite(place.axisDistance)
+              ? "axis 1 " + formatFixed(place.axisDistance, 0) + " mm, "
+              : std::string()) +
+         "dexterity " + formatFixed(place.dexterity, 3) + ", clearance " +
+         formatFixed(place.clearance, 1) + " mm, " + place.branch + ", torch rotation " +
+         formatFixed(radToDeg(place.torchRotation), 0) + " deg";
 }
 
 }  // namespace

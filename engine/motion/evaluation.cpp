@@ -71,12 +71,10 @@ public:
     for (int j = 0; j < cell.jointCount(); ++j) {
       const cell::Joint& joint = cell.joint(j);
       const auto k = static_cast<std::size_t>(j);
-      const double stroke = joint.endless ? 2.0 * kPi : joint.max - joint.min;
-      transition_[k] = 1.0 / radToDeg(std::max(stroke, 2.0 * kPi));
+      transition_[k] = 1.0 / model_.travelRange(j);
       acceleration_[k] = detail::accelerationScale(joint);
       jerk_[k] = detail::jerkScale(joint);
-      const double sigma =
-          joint.resolution > 0.0 ? joint.resolution : params.jointResolution.value();
+      const double sigma = model_.resolution(j, params.jointResolution.value());
       variance_[k] = sigma * sigma;
     }
   }
@@ -110,12 +108,15 @@ private:
     for (int j = 0; j < cell_.jointCount(); ++j) {
       const cell::Joint& joint = cell_.joint(j);
       if (point.reachable || j >= cell_.robotJoints()) {
-        beyond += cell::limitExcess(joint, point.joints(j));
+        beyond += model_.asAngle(j, cell::limitExcess(joint, point.joints(j)));
       }
       if (!joint.endless) {
         const double r = (2.0 * point.joints(j) - joint.min - joint.max) / (joint.max - joint.min);
         centred += r * r;
       }
+    }
+    for (const cell::JointSum& sum : cell_.sums) {
+      beyond += point.reachable ? sumExcess(sum, point.joints) : 0.0;
     }
     if (beyond > 0.0) {
       sums.breaks(Constraint::Limits, beyond);
@@ -129,7 +130,7 @@ private:
       sums[Objective::Limits] += centred;
       sums[Objective::Dexterity] += (1.0 - state.dexterity) * (1.0 - state.dexterity);
       double uncertainty = 0.0;
-      for (int j = 0; j < 6; ++j) {
+      for (int j = 0; j < cell_.robotJoints(); ++j) {
         uncertainty +=
             variance_[static_cast<std::size_t>(j)] * state.jacobian.col(j).head<3>().squaredNorm();
       }
@@ -157,6 +158,10 @@ private:
     }
   }
 
+  [[nodiscard]] double sumExcess(const cell::JointSum& sum, const cell::JointVector& q) const {
+    return model_.asAngle(model_.firstOf(sum), detail::sumExcess(sum, q));
+  }
+
   static double relativeShortfall(double value, double least) {
     return value < least ? (least - value) / least : 0.0;
   }
@@ -180,7 +185,7 @@ private:
   void addTransition(const Waypoint& point, const Waypoint& before, Partial& sums) const {
     double sum = 0.0;
     for (int j = 0; j < cell_.jointCount(); ++j) {
-      const double step = radToDeg(point.joints(j) - before.joints(j));
+      const double step = model_.inUnit(j, point.joints(j) - before.joints(j));
       sum += transition_[static_cast<std::size_t>(j)] * step * step;
     }
     sums[Objective::Transition] += sum;
@@ -198,7 +203,7 @@ private:
     double squares = 0.0;
     for (int j = 0; j < cell_.jointCount(); ++j) {
       const double step = point.joints(j) - before.joints(j);
-      const double degrees = radToDeg(step);
+      const double degrees = model_.inUnit(j, step);
       const bool robot = j < cell_.robotJoints();
       if (robot) {
         sums[Objective::Motion] += model_.motionWeight(j) * degrees * degrees;
@@ -296,6 +301,12 @@ double accelerationScale(const cell::Joint& joint) {
 
 double jerkScale(const cell::Joint& joint) {
   return std::isfinite(joint.maxJerk) ? joint.maxJerk : accelerationScale(joint) / kRampTime;
+}
+
+double sumExcess(const cell::JointSum& sum, const cell::JointVector& q) {
+  const double value = sum.value(q);
+  const double excess = std::max({sum.min - value, value - sum.max, 0.0});
+  return excess <= kSlack ? 0.0 : excess;
 }
 
 std::vector<float> clearanceOf(const Motion& motion, const collision::Clearance& clearance) {

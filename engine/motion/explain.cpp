@@ -4,8 +4,11 @@
 #include "wcam/motion/explain.hpp"
 
 #include "wcam/base/text.hpp"
+#include "wcam/cell/angles.hpp"
+#include "wcam/cell/inverse.hpp"
 
 #include "path_index.hpp"
+#include "plan_detail.hpp"
 #include "trial.hpp"
 
 #include <algorithm>
@@ -60,10 +63,10 @@ std::vector<Cure> rotations() {
   return cures;
 }
 
-std::vector<Cure> branches(bool turned) {
+std::vector<Cure> branches(bool turned, const cell::Cell& cell) {
   std::vector<Cure> cures;
-  for (int k = 0; k < cell::Branch::kCount; ++k) {
-    const std::string name = cell::Branch::fromIndex(k).name();
+  for (int k = 0; k < cell.inverse->branches(); ++k) {
+    const std::string name = cell.inverse->branchName(k);
     for (int r = 0; r < (turned ? 12 : 1); ++r) {
       Cure cure;
       cure.change.branch = k;
@@ -131,7 +134,7 @@ std::vector<Cure> moves(bool inBase, const cell::Cell& cell) {
   return cures;
 }
 
-std::vector<Cure> turns() {
+std::vector<Cure> partTurns() {
   std::vector<Cure> cures;
   for (int k = 1; k * kTurnStep <= kPi + 1e-9; ++k) {
     for (const double s : {1.0, -1.0}) {
@@ -155,19 +158,53 @@ Cure otherPositioner() {
   return cure;
 }
 
+/// The robot carries the part instead of the torch, or the other way round.
+std::vector<Cure> otherConfiguration(const cell::Cell& cell) {
+  constexpr int kRotations = 12;
+  const cell::Cell& other = *cell.other;
+  const bool twoWays = !other.partCarried() && other.positionerJoints() == 2;
+  std::vector<Cure> cures;
+  for (int positioner = 0; positioner < (twoWays ? 2 : 1); ++positioner) {
+    for (int branch = 0; branch < other.inverse->branches(); ++branch) {
+      for (int r = 0; r < (other.inverse->freeRotation() ? kRotations : 1); ++r) {
+        Cure cure;
+        cure.change.other = true;
+        cure.change.positioner = positioner;
+        cure.change.branch = branch;
+        cure.change.rotation = cell::wrapAngle(r * 2.0 * kPi / kRotations);
+        cure.text = std::string("let the robot carry the ") +
+                    (other.partCarried() ? "part" : "torch") + " (cell \"" + other.name +
+                    "\"), configuration " + other.inverse->branchName(branch);
+        cure.key = "cure_other_branch";
+        cure.figure = branch;
+        cures.push_back(cure);
+      }
+    }
+  }
+  return cures;
+}
+
 /// All that is tried, in the order of what it asks of the user.
 std::vector<std::vector<Cure>> allCures(const cell::Cell& cell, const MotionParams& params) {
   std::vector<std::vector<Cure>> groups;
-  groups.push_back(rotations());
-  groups.push_back(branches(false));
+  const bool turns = cell.inverse->freeRotation();
+  if (turns) {
+    groups.push_back(rotations());
+  }
+  groups.push_back(branches(false, cell));
   if (!cell.partCarried() && cell.positionerJoints() == 2) {
     groups.push_back({otherPositioner()});
   }
   groups.push_back(tilts(params));
-  groups.push_back(branches(true));
-  groups.push_back(turns());
+  if (turns) {
+    groups.push_back(branches(true, cell));
+  }
+  groups.push_back(partTurns());
   groups.push_back(moves(false, cell));
   groups.push_back(moves(true, cell));
+  if (cell.other != nullptr) {
+    groups.push_back(otherConfiguration(cell));
+  }
   return groups;
 }
 
@@ -244,7 +281,7 @@ private:
 };
 
 bool movesSomething(const Cure& cure) {
-  return cure.change.turn != 0.0 || cure.change.onTable != Vec3::Zero() ||
+  return cure.change.other || cure.change.turn != 0.0 || cure.change.onTable != Vec3::Zero() ||
          cure.change.inBase != Vec3::Zero();
 }
 
@@ -289,7 +326,9 @@ void explain(Diagnostic& finding,
     finding.remedy =
         "none of these alone puts it right: rotations about the torch, the other configurations, "
         "tilts within the tolerances, turning the part, moving part or positioner by up to " +
-        formatFixed(kGreatestMove, 0) + " mm; search a placement with `camcli place`";
+        formatFixed(kGreatestMove, 0) + " mm" +
+        (trial.hasOther() ? ", the cell's other configuration" : "") +
+        "; search a placement with `camcli place`";
     return;
   }
   const bool moved = movesSomething(*best);
@@ -318,17 +357,19 @@ std::vector<Diagnostic> explainFindings(std::vector<Diagnostic> findings,
                                         const collision::CellCollision* collision,
                                         const MotionParams& params,
                                         const JobContext& context) {
-  if (!cell.arm || std::none_of(findings.begin(), findings.end(), isExplained)) {
+  if (std::none_of(findings.begin(), findings.end(), isExplained)) {
     return findings;
   }
   const detail::PathIndex index(path);
   const Trial trial(cell, collision, params);
   const std::vector<std::vector<Cure>> groups = allCures(cell, params);
+  // A numeric search takes some ms to find that nothing is in reach.
+  const int most = detail::isFollowed(cell) ? kExplained / 6 : kExplained;
   // Violations first: they stop the program.
   int explained = 0;
   for (const Severity severity : {Severity::Violation, Severity::Warning}) {
     for (Diagnostic& finding : findings) {
-      if (finding.severity != severity || !isExplained(finding) || explained >= kExplained) {
+      if (finding.severity != severity || !isExplained(finding) || explained >= most) {
         continue;
       }
       const Explanation explanation(motion, path, index, finding);

@@ -20,6 +20,8 @@ constexpr double kSlower = 1e-9;
 /// Rounding of an angle on its limit, rad.
 constexpr double kOnLimit = 1e-9;
 constexpr std::size_t kCheckEvery = 4096;
+/// The first rotary joint of a Cartesian machine.
+constexpr int kFirstRotary = 3;
 
 /// The worst of a kind of finding in one bead. The place is the worst point of the bead itself, a
 /// travel move (−1) only where no point of the bead is concerned.
@@ -65,11 +67,12 @@ public:
         place_(std::move(place)),
         limits_(static_cast<std::size_t>(cell.jointCount())),
         steps_(limits_.size()),
-        turns_(limits_.size()) {}
+        turns_(limits_.size()),
+        sums_(cell.sums.size()) {}
 
   void add(const Waypoint& point, const Waypoint* before, const PointState& state) {
     if (!point.reachable) {
-      unreachable_.add(state.missing, point.point);
+      unreachable_.add(state.missing, point.point, -1, state.missingTilt);
     } else {
       addSingularities(point, state);
       if (point.arc && state.dexterity < params_.minDexterity) {
@@ -78,6 +81,9 @@ public:
     }
     if (point.verticalError > params_.verticalTolerance.value()) {
       vertical_.add(point.verticalError, point.point);
+    }
+    if (point.reachable && point.tilt > params_.tiltTolerance.value() + kOnLimit) {
+      tilt_.add(point.tilt, point.point);
     }
     addTwist(point);
     for (std::size_t j = 0; j < limits_.size(); ++j) {
@@ -90,6 +96,13 @@ public:
         addStep(point, *before, joint);
       }
     }
+    for (std::size_t k = 0; k < sums_.size() && point.reachable; ++k) {
+      const double excess = sumExcess(cell_.sums[k], point.joints);
+      if (excess > 0.0) {
+        sums_[k].add(excess, point.point, CellModel::firstOf(cell_.sums[k]),
+                     cell_.sums[k].value(point.joints));
+      }
+    }
     if (before != nullptr && point.arc && point.reachable && before->reachable &&
         point.tcpSpeed < point.speed * (1.0 - kSlower) && jointsTooSlow(point, *before)) {
       addSlowdown(point, *before);
@@ -99,6 +112,7 @@ public:
   void report(const JobContext& context) const {
     reportReach(context);
     reportLimits(context);
+    reportSums(context);
     reportSingularities(context);
     reportSteps(context);
     reportRest(context);
@@ -189,9 +203,13 @@ private:
 
   void reportReach(const JobContext& context) const {
     if (unreachable_.count > 0) {
+      std::string missing = (cell_.arm ? "the wrist misses up to " : "the tool misses up to ") +
+                            formatFixed(unreachable_.value, 1) + " mm";
+      if (unreachable_.extra > 0.0) {
+        missing += " and " + degText(unreachable_.extra);
+      }
       put(context, Severity::Violation, "motion.unreachable",
-          points(unreachable_.count) + " out of the robot's reach; the wrist misses up to " +
-              formatFixed(unreachable_.value, 1) + " mm",
+          points(unreachable_.count) + " out of the robot's reach; " + missing,
           "move the part in the cell, change the rotation about the torch or the configuration, or "
           "lower the safe height when only travel moves are concerned",
           unreachable_, {{"missing_mm", unreachable_.value}});
@@ -213,14 +231,42 @@ private:
     }
   }
 
+  void reportSums(const JobContext& context) const {
+    for (std::size_t k = 0; k < sums_.size(); ++k) {
+      const Worst& worst = sums_[k];
+      if (worst.count > 0) {
+        put(context, Severity::Violation, "motion.joint_limit",
+            "the sum " + cell_.sums[k].name + " exceeds its limit by up to " + valueText(worst) +
+                " at " + points(worst.count),
+            "change the rotation about the torch or the configuration", worst,
+            {{"joint", worst.joint + 1.0},
+             {"excess_" + unitOf(worst), toUnit(worst, worst.value)},
+             {"value_" + unitOf(worst), toUnit(worst, worst.extra)}});
+      }
+    }
+  }
+
+  /// What lies in line at a singularity of the orientation.
+  [[nodiscard]] std::string wristText() const {
+    switch (cell_.inverse->method()) {
+      case cell::InverseMethod::Arm:
+        return "wrist singularity: axes 4 and 6 are in line but for ";
+      case cell::InverseMethod::Cartesian:
+        return "singularity: the tool is in line with axis " + cell_.joint(kFirstRotary).name +
+               " but for ";
+      case cell::InverseMethod::Numeric:
+        break;
+    }
+    return "singularity: a joint moves the tool as the others do but for ";
+  }
+
   void reportSingularities(const JobContext& context) const {
     const char* remedy =
         "change the rotation about the torch, the tool tilt or the place of the part";
     if (wrist_.count > 0) {
       put(context, Severity::Warning, "motion.singularity",
-          "wrist singularity: axes 4 and 6 are in line but for " + degText(-wrist_.value) + " at " +
-              points(wrist_.count),
-          remedy, wrist_, {{"wrist_bend_deg", radToDeg(-wrist_.value)}});
+          wristText() + degText(-wrist_.value) + " at " + points(wrist_.count), remedy, wrist_,
+          {{"wrist_bend_deg", radToDeg(-wrist_.value)}});
     }
     if (elbow_.count > 0) {
       put(context, Severity::Warning, "motion.singularity",
@@ -284,6 +330,13 @@ private:
           "the positioner's axes cannot turn it further; choose another build direction", vertical_,
           {{"angle_deg", radToDeg(vertical_.value)}});
     }
+    if (tilt_.count > 0) {
+      put(context, Severity::Warning, "motion.tilt",
+          "the torch leans by up to " + degText(tilt_.value) + " from the path's tool axis at " +
+              points(tilt_.count) + "; allowed are " + degText(params_.tiltTolerance.value()),
+          "raise tilt_tolerance if the process bears it, or choose another redundancy mode", tilt_,
+          {{"tilt_deg", radToDeg(tilt_.value)}});
+    }
     if (cable_.count > 0) {
       put(context, Severity::Warning, "motion.cable_twist",
           "the torch's cable is twisted by up to " + degText(cable_.value) + " at " +
@@ -297,8 +350,8 @@ private:
   CellModel model_;
   const MotionParams& params_;
   Place place_;
-  Worst unreachable_, wrist_, elbow_, shoulder_, dexterity_, vertical_, slow_, cable_;
-  std::vector<Worst> limits_, steps_, turns_;
+  Worst unreachable_, wrist_, elbow_, shoulder_, dexterity_, vertical_, slow_, cable_, tilt_;
+  std::vector<Worst> limits_, steps_, turns_, sums_;
 };
 
 }  // namespace

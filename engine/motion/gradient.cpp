@@ -121,7 +121,11 @@ FreeGradient freeGradient(const CellModel& model,
   }
   FreeGradient gradient = state.jacobian.partialPivLu().solve(twists);
   for (int k = 0; k < kFreeScalars; ++k) {
-    const double steepest = gradient.col(k).cwiseAbs().maxCoeff();
+    double steepest = 0.0;
+    for (int j = 0; j < model.cell().robotJoints(); ++j) {
+      const double slope = std::abs(model.asAngle(j, gradient(j, k)));
+      steepest = slope > steepest || std::isnan(slope) ? slope : steepest;
+    }
     if (!(steepest < kSteepest)) {
       if (std::isfinite(steepest)) {
         gradient.col(k) *= kSteepest / steepest;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/base/parallel.hpp"
+#include "wcam/base/quantity.hpp"
 
 #include "modes.hpp"
 #include "refine.hpp"
@@ -24,6 +25,13 @@ constexpr std::size_t kBothGaugesTargets = 4000;
 /// The table's samples are searched up to this many rungs (half a second each thousand), else only
 /// where the gravity-aligned reference alone does not keep all constraints.
 constexpr std::size_t kTableRungs = 1500;
+/// The same of robots whose inverse kinematics are a search, some 20 µs each.
+constexpr std::size_t kAllModesFollowed = 200;
+/// Constant rotations that stand for the graph search of such robots.
+constexpr int kRotations = 12;
+/// Part of the tilt's tolerance with which the search leans: the refinement takes back what is not
+/// needed and keeps a little less than the tolerance.
+constexpr double kTiltUsed = 0.95;
 /// Searches with newly found collisions at most; each finds those of the path before.
 constexpr int kCollisionRounds = 12;
 /// Cost of a colliding state: below a state outside limits, above a singular one; and per
@@ -44,11 +52,12 @@ std::vector<float> collisionCosts(const Task& task,
   for (std::size_t n = 0; n < cellStates.size(); ++n) {
     const std::size_t table = n / kLanes;
     cell::JointVector q(cell.jointCount());
-    for (int j = 0; j < 6; ++j) {
+    for (int j = 0; j < cell.robotJoints(); ++j) {
       q(j) = static_cast<double>(states.row(j, table)[n % kLanes]);
     }
     for (int j = 0; j < cell.positionerJoints(); ++j) {
-      q(6 + j) = task.references[frame.family].joints[rung.target][static_cast<std::size_t>(j)];
+      q(cell.robotJoints() + j) =
+          task.references[frame.family].joints[rung.target][static_cast<std::size_t>(j)];
     }
     if (cell.positionerJoints() > 0) {
       q(cell.jointCount() - 1) = states.tableValues[table];
@@ -116,12 +125,15 @@ private:
     // Without a positioner there is nothing to keep at rest.
     const bool same = mode == RedundancyMode::Fixed &&
                       (task_.cell.partCarried() || task_.cell.positionerJoints() == 0);
-    return !same && !lacksPositioner(mode, task_.cell) &&
-           !(slow && task_.targets.size() > kAllModesTargets);
+    const std::size_t most = isFollowed(task_.cell) ? kAllModesFollowed : kAllModesTargets;
+    return !same && !lacksPositioner(mode, task_.cell) && !(slow && task_.targets.size() > most);
   }
 
   /// Search and refinement from one gravity-aligned reference.
   [[nodiscard]] std::vector<Candidate> tryFamily(std::size_t family) const {
+    if (isFollowed(task_.cell)) {
+      return tryRotations(family);
+    }
     SearchFrame frame;
     frame.family = family;
     frame.rungs = chooseRungs(task_, family, kMostRungs);
@@ -131,14 +143,62 @@ private:
     }
     frame.moveTable = frame.rungs.size() <= kTableRungs;
     std::vector<Candidate> found = tryGauges(frame);
-    const auto feasible = [](const Candidate& own) { return own.evaluation.feasible(); };
-    if (!frame.moveTable && std::none_of(found.begin(), found.end(), feasible)) {
-      frame.moveTable = true;
+    const auto addGauges = [&] {
       for (Candidate& own : tryGauges(frame)) {
         found.push_back(std::move(own));
       }
+    };
+    if (!frame.moveTable && !anyFeasible(found)) {
+      frame.moveTable = true;
+      addGauges();
+    }
+    // Search with the torch leaning over the whole operation: the refinement alone does not find
+    // out of what is out of reach, nor from one branch to another.
+    const double most = kTiltUsed * task_.params.tiltTolerance.value();
+    for (const auto& [lead, lateral] : {std::pair(most, 0.0), std::pair(-most, 0.0),
+                                        std::pair(0.0, most), std::pair(0.0, -most)}) {
+      if (most > 0.0 && !anyFeasible(found)) {
+        frame.lead = lead;
+        frame.lateral = lateral;
+        addGauges();
+      }
     }
     return found;
+  }
+
+  static bool anyFeasible(const std::vector<Candidate>& found) {
+    return std::any_of(found.begin(), found.end(),
+                       [](const Candidate& own) { return own.evaluation.feasible(); });
+  }
+
+  /// Constant rotations, and the refinement of the best one: where the branches of the inverse
+  /// kinematics are start postures, states cannot be told apart for a graph search.
+  [[nodiscard]] std::vector<Candidate> tryRotations(std::size_t family) const {
+    const bool turns = task_.cell.inverse->freeRotation();
+    const bool table = !task_.cell.partCarried() && task_.cell.positionerJoints() > 0;
+    Candidate best;
+    for (int k = 0; k < (turns ? kRotations : 1); ++k) {
+      Resolution resolution;
+      resolution.choices = constantRotation(task_, task_.references[family].joints);
+      for (FreeChoice& choice : resolution.choices) {
+        choice.torchRotation += k * 2.0 * kPi / kRotations;
+      }
+      resolution.branches = oneBranch(task_, resolution.choices, context_);
+      Candidate own = candidate(RedundancyMode::Optimized, std::move(resolution));
+      if (k == 0 || own.evaluation.betterThan(best.evaluation)) {
+        best = std::move(own);
+      }
+    }
+    std::vector<Candidate> found;
+    found.push_back(refined({constantGauge(task_), family, table}, std::move(best)));
+    return found;
+  }
+
+  /// Refinement of a candidate where anything is free.
+  [[nodiscard]] Candidate refined(const RefineFrame& frame, Candidate start) const {
+    const bool free = task_.cell.inverse->freeRotation() || frame.moveTable ||
+                      task_.params.tiltTolerance.value() > 0.0;
+    return free ? refine(task_, frame, start, context_, clearance_) : start;
   }
 
   /// Search and refinement with both gauges of the torch rotation.
@@ -149,22 +209,21 @@ private:
       bool tableFree = false;
       Candidate own = searched(frame, &tableFree);
       searches.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
-      if (tableFree) {
-        break;  // the table can follow the path instead
+      if (tableFree || !task_.cell.inverse->freeRotation()) {
+        break;  // the table can follow the path instead, or nothing turns about the torch
       }
     }
     const std::size_t better = searches.size() > 1 && searches[1].second.evaluation.betterThan(
                                                           searches[0].second.evaluation)
                                    ? 1
                                    : 0;
-    std::vector<Candidate> refined;
+    std::vector<Candidate> found;
     for (std::size_t k = 0; k < searches.size(); ++k) {
       if (k == better || task_.targets.size() <= kBothGaugesTargets) {
-        refined.push_back(
-            refine(task_, searches[k].first, searches[k].second, context_, clearance_));
+        found.push_back(refined(searches[k].first, std::move(searches[k].second)));
       }
     }
-    return refined;
+    return found;
   }
 
   /// The graph search; with a clearance again until its path is free: only the states of rungs that

@@ -27,8 +27,8 @@ constexpr std::size_t kCheckEvery = 64;
 /// Cost of a rotation at one point after a previous posture.
 class PointCost {
 public:
-  PointCost(const Task& task, const CellModel& model, cell::Branch branch)
-      : task_(task), model_(model), branch_(branch) {}
+  PointCost(const Task& task, const CellModel& model, int branch)
+      : task_(task), model_(model), branch_(branch), followed_(isFollowed(task.cell)) {}
 
   double operator()(const Target& target,
                     const FreeChoice& choice,
@@ -37,9 +37,10 @@ public:
     const Cell& cell = task_.cell;
     Pose T_part_tcp;
     const Pose flange = flangePose(cell, target, choice, &T_part_tcp);
-    const cell::IkSolution solution = cell::inverseArm(*cell.arm, flange, branch_);
+    const cell::InverseSolution solution = cell.inverse->solve(
+        flange, branch_, followed_ && previous != nullptr ? previous->data() : nullptr);
     q.resize(cell.jointCount());
-    q.head<6>() = solution.joints;
+    q.head(solution.joints.size()) = solution.joints;
     for (int j = 0; j < cell.positionerJoints(); ++j) {
       q(cell.robotJoints() + j) = choice.positioner[static_cast<std::size_t>(j)];
     }
@@ -52,9 +53,9 @@ public:
       if (cell::periodicJoint(cell, j)) {
         q(j) = cell::turnInLimits(joint, q(j), previous != nullptr ? (*previous)(j) : 0.0);
       }
-      cost += kBeyondCost * cell::limitExcess(joint, q(j));
+      cost += kBeyondCost * model_.asAngle(j, cell::limitExcess(joint, q(j)));
       if (previous != nullptr) {
-        const double step = radToDeg(q(j) - (*previous)(j));
+        const double step = model_.inUnit(j, q(j) - (*previous)(j));
         cost += model_.motionWeight(j) * step * step;
       }
     }
@@ -65,7 +66,8 @@ public:
 private:
   const Task& task_;
   const CellModel& model_;
-  cell::Branch branch_;
+  int branch_;
+  bool followed_;
 };
 
 /// Least cost of a function on [a, b] by golden section.
@@ -98,6 +100,9 @@ double goldenSection(const Cost& cost, double a, double b) {
 
 Resolution resolvePointByPoint(const Task& task, const JobContext& context) {
   Resolution resolution = resolveConstant(task, context);
+  if (!task.cell.inverse->freeRotation()) {
+    return resolution;
+  }
   const CellModel model(task.cell);
   cell::JointVector before;
   const cell::JointVector* previous = nullptr;

@@ -58,9 +58,9 @@ public:
               const CellModel& model,
               const Segment& segment,
               const std::vector<FreeChoice>& choices,
-              cell::Branch branch,
+              int branch,
               std::size_t points)
-      : task_(task), model_(model), branch_(branch) {
+      : task_(task), model_(model), branch_(branch), followed_(isFollowed(task.cell)) {
     const std::size_t count = segment.last - segment.first + 1;
     const std::size_t used = std::min(count, std::max<std::size_t>(points, 2));
     std::vector<double> way(count, 0.0);
@@ -113,10 +113,11 @@ public:
       if (k > 0) {
         for (int j = 0; j < 6; ++j) {
           const double weight = model_.motionWeight(j) * share_[k];
-          const double step = radToDeg(q(j) - before(j));
+          const double step = model_.inUnit(j, q(j) - before(j));
           state.motion += weight * step * step;
           if (derivatives && weight > 0.0) {
-            const Coefficients row = (rows.row(j) - rowsBefore.row(j)).transpose() * kDegrees;
+            const Coefficients row =
+                (rows.row(j) - rowsBefore.row(j)).transpose() * model_.inUnit(j, 1.0);
             state.normal += weight * row * row.transpose();
             state.gradient += weight * step * row;
           }
@@ -132,8 +133,6 @@ public:
   [[nodiscard]] double position(std::size_t k) const { return s_[k]; }
 
 private:
-  static constexpr double kDegrees = 180.0 / kPi;
-
   bool solve(std::size_t k,
              double angle,
              const cell::JointVector& before,
@@ -147,12 +146,13 @@ private:
     Pose T_part_tcp;
     const Target& target = task_.targets[index_[k]];
     const Pose flange = flangePose(cell, target, choice, &T_part_tcp);
-    const cell::IkSolution solution = cell::inverseArm(*cell.arm, flange, branch_);
+    const cell::InverseSolution solution =
+        cell.inverse->solve(flange, branch_, followed_ && k > 0 ? before.data() : nullptr);
     if (!solution.reachable) {
       return false;
     }
     q.resize(cell.jointCount());
-    q.head<6>() = solution.joints;
+    q.head(solution.joints.size()) = solution.joints;
     for (int j = 0; j < cell.positionerJoints(); ++j) {
       q(cell.robotJoints() + j) = choice.positioner[static_cast<std::size_t>(j)];
     }
@@ -184,12 +184,12 @@ private:
       state.margin = std::min(state.margin, cell::limitMargin(joint, q(j)) / range);
       const double inner = kLimitMargin * range;
       const double over =
-          radToDeg(std::max({joint.min + inner - q(j), q(j) - joint.max + inner, 0.0}));
+          model_.inUnit(j, std::max({joint.min + inner - q(j), q(j) - joint.max + inner, 0.0}));
       if (over > 0.0) {
         state.cost += kLimitWeight * over * over;
         if (derivatives) {
           const double sign = q(j) > 0.5 * (joint.min + joint.max) ? 1.0 : -1.0;
-          const Coefficients row = sign * kDegrees * rows.row(j).transpose();
+          const Coefficients row = sign * model_.inUnit(j, 1.0) * rows.row(j).transpose();
           state.normal += kLimitWeight * row * row.transpose();
           state.gradient += kLimitWeight * over * row;
         }
@@ -199,7 +199,8 @@ private:
 
   const Task& task_;
   const CellModel& model_;
-  cell::Branch branch_;
+  int branch_;
+  bool followed_;
   std::vector<std::size_t> index_;
   std::vector<double> s_;
   std::vector<FreeChoice> choice_;
@@ -352,13 +353,16 @@ Fit fitBead(const BeadProblem& coarse,
 
 Resolution resolvePolynomial(const Task& task, const JobContext& context) {
   Resolution resolution = resolveConstant(task, context);
+  if (!task.cell.inverse->freeRotation()) {
+    return resolution;
+  }
   const CellModel model(task.cell);
   const std::vector<Segment>& segments = task.runs.segments;
   parallelFor(
       segments.size(), 1,
       [&](std::size_t k) {
         const Segment& segment = segments[k];
-        const cell::Branch branch = resolution.branches[segment.run];
+        const int branch = resolution.branches[segment.run];
         const std::size_t count = segment.last - segment.first + 1;
         const BeadProblem coarse(task, model, segment, resolution.choices, branch, kCoarsePoints);
         const BeadProblem fine(task, model, segment, resolution.choices, branch, count);

@@ -6,10 +6,12 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/parallel.hpp"
 #include "wcam/cell/angles.hpp"
-#include "wcam/cell/arm.hpp"
 #include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/positioner.hpp"
 #include "wcam/cell/unwrap.hpp"
+
+#include "cell_model.hpp"
+#include "plan_detail.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -171,40 +173,51 @@ private:
                   const std::vector<std::array<double, 2>>& course,
                   const PartPlace& place,
                   std::vector<Choice>& choices) const {
+    const cell::InverseKinematics& inverse = *cell.inverse;
+    const auto branches = static_cast<std::size_t>(inverse.branches());
     const int rotations =
-        std::max(1, static_cast<int>(std::lround(2 * kPi / search_.rotationStep)));
+        inverse.freeRotation()
+            ? std::max(1, static_cast<int>(std::lround(2 * kPi / search_.rotationStep)))
+            : 1;
     for (int r = 0; r < rotations; ++r) {
       const double rotation =
           cell::wrapAngle(params_.torchRotation.value() + r * 2 * kPi / rotations);
-      std::array<Choice, cell::Branch::kCount> of;
-      for (int b = 0; b < cell::Branch::kCount; ++b) {
-        Choice& choice = of[static_cast<std::size_t>(b)];
+      std::array<Choice, cell::InverseKinematics::kMostBranches> of;
+      std::array<cell::InverseSolution, cell::InverseKinematics::kMostBranches> result;
+      for (std::size_t b = 0; b < branches; ++b) {
+        Choice& choice = of[b];
         choice.place = place;
-        choice.place.branch = cell::Branch::fromIndex(b).name();
+        choice.place.branch = inverse.branchName(static_cast<int>(b));
         choice.place.torchRotation = rotation;
         choice.place.limitMargin = choice.place.wristBend = choice.place.elbowBend =
             choice.place.axisDistance = std::numeric_limits<double>::infinity();
       }
       for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const cell::IkResult result =
-            cell::inverseArm(*cell.arm, flangeAt(cell, *samples_[i].point, course[i], rotation));
-        for (std::size_t b = 0; b < result.size(); ++b) {
+        const Pose flange = flangeAt(cell, *samples_[i].point, course[i], rotation);
+        if (detail::isFollowed(cell)) {
+          for (std::size_t b = 0; b < branches; ++b) {
+            const bool first = of[b].joints.empty();
+            result[b] = inverse.solve(flange, static_cast<int>(b),
+                                      first ? nullptr : of[b].joints.back().data());
+          }
+        } else {
+          inverse.solveAll(flange, result);
+        }
+        for (std::size_t b = 0; b < branches; ++b) {
           addSample(cell, result[b], course[i], of[b]);
         }
       }
-      for (int b = 0; b < cell::Branch::kCount; ++b) {
-        const bool allowed =
-            params_.branch == BranchChoice::Auto || static_cast<int>(params_.branch) - 1 == b;
-        if (allowed) {
-          score(of[static_cast<std::size_t>(b)].place);
-          choices.push_back(std::move(of[static_cast<std::size_t>(b)]));
+      for (std::size_t b = 0; b < branches; ++b) {
+        if (detail::mayUse(cell, params_, static_cast<int>(b))) {
+          score(of[b].place);
+          choices.push_back(std::move(of[b]));
         }
       }
     }
   }
 
   void addSample(const Cell& cell,
-                 const cell::IkSolution& solution,
+                 const cell::InverseSolution& solution,
                  const std::array<double, 2>& positioner,
                  Choice& choice) const {
     JointVector q(cell.jointCount());
@@ -217,11 +230,16 @@ private:
         const double near = choice.joints.empty() ? 0.0 : choice.joints.back()(j);
         q(j) = cell::turnInLimits(joint, q(j), near);
       }
-      margin = std::min(margin, cell::limitMargin(joint, q(j)));
+      const double own = cell::limitMargin(joint, q(j));
+      margin = std::min(margin, joint.prismatic() ? own / detail::kLengthPerRadian : own);
+    }
+    for (const cell::JointSum& sum : cell.sums) {
+      const double excess = detail::sumExcess(sum, q);
+      margin = excess > 0.0 ? std::min(margin, -excess) : margin;
     }
     choice.joints.push_back(q);
     PartPlace& place = choice.place;
-    const double wrist = std::asin(std::min(solution.wristSine, 1.0));
+    const double wrist = std::asin(std::min(detail::marginSine(cell, solution.wristSine), 1.0));
     const double elbow = std::asin(std::min(solution.elbowSine, 1.0));
     const bool good = solution.reachable && margin >= 0.0 && wrist >= params_.wristMargin.value() &&
                       elbow >= params_.elbowMargin.value() &&
@@ -366,12 +384,7 @@ PlacementMap searchPlacement(const toolpath::Toolpath& path,
                              const MotionParams& params,
                              const PlacementSearch& search,
                              const JobContext& context) {
-  if (!cell.arm) {
-    throw Error(ErrorCode::JobFailed,
-                "the robot of the cell has no closed-form inverse kinematics: " + cell.armProblem,
-                "cell " + cell.name,
-                "use a robot with a spherical wrist and parallel axes 2 and 3");
-  }
+  detail::checkBranch(cell, params, "");
   if (!(search.step > 0.0) || !(search.turnStep > 0.0) || !(search.rotationStep > 0.0) ||
       search.samples < 2) {
     throw Error(ErrorCode::InvalidArgument, "the steps of the search must be greater than 0", {},

@@ -3,6 +3,7 @@
 
 #include "wcam/motion/plan.hpp"
 
+#include "wcam/base/error.hpp"
 #include "wcam/base/parallel.hpp"
 #include "wcam/motion/reversals.hpp"
 
@@ -35,13 +36,13 @@ std::vector<detail::Positioning> alignments(const cell::Cell& cell,
   return aligned;
 }
 
-std::string branchNames(const std::vector<cell::Branch>& branches) {
+std::string branchNames(const cell::Cell& cell, const std::vector<int>& branches) {
   std::string names;
-  std::vector<cell::Branch> seen;
-  for (const cell::Branch branch : branches) {
+  std::vector<int> seen;
+  for (const int branch : branches) {
     if (std::find(seen.begin(), seen.end(), branch) == seen.end()) {
       seen.push_back(branch);
-      names += (names.empty() ? "" : "/") + branch.name();
+      names += (names.empty() ? "" : "/") + cell.inverse->branchName(branch);
     }
   }
   return names;
@@ -68,7 +69,7 @@ void fillStatistics(const cell::Cell& cell,
                     const detail::Candidate& chosen,
                     PlannedMotion& planned) {
   MotionStatistics& statistics = planned.statistics;
-  statistics.branch = branchNames(chosen.resolution.branches);
+  statistics.branch = branchNames(cell, chosen.resolution.branches);
   statistics.mode = redundancyKey(chosen.mode);
   statistics.evaluation = chosen.evaluation;
   const detail::CellModel model(cell);
@@ -85,18 +86,23 @@ void fillStatistics(const cell::Cell& cell,
 
 }  // namespace
 
+void detail::checkBranch(const cell::Cell& cell,
+                         const MotionParams& params,
+                         const std::string& place) {
+  if (!cell.arm && params.branch != BranchChoice::Auto) {
+    throw Error(ErrorCode::JobFailed,
+                "the robot of the cell has no configurations of this name: " + cell.armProblem,
+                "cell " + cell.name + place, "set \"branch\" to auto");
+  }
+}
+
 PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& params,
                          const std::string& operationId,
                          const JobContext& context,
                          const collision::Clearance* clearance) {
-  if (!cell.arm) {
-    throw Error(ErrorCode::JobFailed,
-                "the robot of the cell has no closed-form inverse kinematics: " + cell.armProblem,
-                "cell " + cell.name + ", operation " + operationId,
-                "use a robot with a spherical wrist and parallel axes 2 and 3");
-  }
+  detail::checkBranch(cell, params, ", operation " + operationId);
   PlannedMotion planned;
   std::vector<detail::Target> targets = detail::makeTargets(path, params, context);
   if (targets.empty()) {

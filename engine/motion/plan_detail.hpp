@@ -4,6 +4,7 @@
 
 #include "wcam/cell/arm.hpp"
 #include "wcam/cell/cell.hpp"
+#include "wcam/cell/inverse.hpp"
 #include "wcam/motion/plan.hpp"
 #include "wcam/motion/speed_law.hpp"
 
@@ -62,7 +63,7 @@ struct FreeChoice {
 /// What a mode gives: the free choice of each target and the branch of each run.
 struct Resolution {
   std::vector<FreeChoice> choices;
-  std::vector<cell::Branch> branches;
+  std::vector<int> branches;  ///< of Cell::inverse
 };
 
 /// Positioner values of every target that turn `up` to the vertical as far as they can (unused
@@ -108,7 +109,8 @@ struct PointState {
   float elbowSine = 1.0F;
   float axisDistance = 0.0F;
   float dexterity = 1.0F;
-  double missing = 0.0;
+  double missing = 0.0;      ///< mm
+  double missingTilt = 0.0;  ///< rad
 };
 
 /// How good a branch is over all targets, compared in this order: points out of reach, points
@@ -123,16 +125,23 @@ struct BranchScore {
   [[nodiscard]] bool betterThan(const BranchScore& other) const;
 };
 
-using BranchScores = std::array<BranchScore, cell::Branch::kCount>;
+using BranchScores = std::array<BranchScore, cell::InverseKinematics::kMostBranches>;
 BranchScores scoreBranches(const Task& task,
                            const std::vector<FreeChoice>& choices,
                            const JobContext& context);
 /// The best branch that the parameters allow, the same for all runs.
-std::vector<cell::Branch> oneBranch(const Task& task,
-                                    const std::vector<FreeChoice>& choices,
-                                    const JobContext& context,
-                                    BranchScore* score = nullptr);
-bool mayUse(const MotionParams& params, int branch);
+std::vector<int> oneBranch(const Task& task,
+                           const std::vector<FreeChoice>& choices,
+                           const JobContext& context,
+                           BranchScore* score = nullptr);
+/// The parameters name branches of an arm; other robots use any.
+bool mayUse(const Cell& cell, const MotionParams& params, int branch);
+
+/// @throws Error(JobFailed) when the parameters name a branch that only an arm has
+void checkBranch(const Cell& cell, const MotionParams& params, const std::string& place);
+
+/// A robot without a closed form is followed from point to point: its branches are start postures.
+bool isFollowed(const Cell& cell);
 
 /// Joints of all waypoints: inverse kinematics in each run's branch, full turns inside the limits
 /// and with the least motion between runs. `states` may be null.
@@ -168,6 +177,8 @@ Candidate makeCandidate(const Task& task,
 inline constexpr double kRampTime = 0.25;
 double accelerationScale(const cell::Joint& joint);
 double jerkScale(const cell::Joint& joint);
+/// How far a sum of joints lies outside its limits, rad or mm; 0 inside.
+double sumExcess(const cell::JointSum& sum, const cell::JointVector& q);
 std::vector<float> clearanceOf(const Motion& motion, const collision::Clearance& clearance);
 
 /// Collects findings per bead and adds them in order.

@@ -25,6 +25,7 @@ constexpr int kJoints = 8;
 constexpr double kTighter = 0.02;
 /// Of joint limits: the same part of the range but not more than this, rad.
 const double kLimitTighter = degToRad(1.0);
+constexpr double kLengthTighter = 1.0;  ///< of linear joints, mm
 /// Step of difference quotients of dexterity, uncertainty and shoulder distance, rad of the free
 /// scalar.
 constexpr double kStep = 1e-5;
@@ -48,8 +49,8 @@ struct ModelBuilder::Point {
   cell::JointVector q;
   Eigen::Matrix<double, kJoints, kFreeScalars> slope;  ///< joints per active scalar
   double dexterity = 1.0, uncertainty = 0.0, axisDistance = 0.0, vertical = 0.0,
-         leastVertical = 0.0;
-  Eigen::Vector4d dexteritySlope, uncertaintySlope, axisSlope, verticalSlope;
+         leastVertical = 0.0, wristSine = 1.0;
+  Eigen::Vector4d dexteritySlope, uncertaintySlope, axisSlope, verticalSlope, wristSlope;
   double lead = 0.0, lateral = 0.0;
 };
 
@@ -129,6 +130,7 @@ void ModelBuilder::linearise(std::size_t k,
   point.dexteritySlope.setZero();
   point.uncertaintySlope.setZero();
   point.axisSlope.setZero();
+  point.wristSlope.setZero();
   point.verticalSlope.setZero();
   if (i > 0 && waypoint.point > 0 && waypoint.speed > 0.0) {
     point.time = (task_.targets[i].p - task_.targets[i - 1].p).norm() / waypoint.speed;
@@ -136,12 +138,12 @@ void ModelBuilder::linearise(std::size_t k,
   const ArmState state = model_.armState(point.q);
   point.dexterity = state.dexterity;
   point.axisDistance = state.axisDistance;
+  point.wristSine = state.wristSine;
   const double resolution = task_.params.jointResolution.value();
   const auto uncertaintyOf = [&](const ArmState& arm) {
     double sum = 0.0;
-    for (int j = 0; j < 6; ++j) {
-      const double own = cell.joint(j).resolution;
-      const double sigma = own > 0.0 ? own : resolution;
+    for (int j = 0; j < cell.robotJoints(); ++j) {
+      const double sigma = model_.resolution(j, resolution);
       sum += sigma * sigma * arm.jacobian.col(j).head<3>().squaredNorm();
     }
     return std::sqrt(sum) * kMicrometres;
@@ -150,19 +152,26 @@ void ModelBuilder::linearise(std::size_t k,
   const bool tilts = layout_.active().back() == FreeScalar::Lateral;
   const FreeGradient gradient =
       freeGradient(model_, task_.targets[i], choice, waypoint.T_part_tcp, state, tilts);
-  const bool needsState = weights_[static_cast<std::size_t>(Objective::Dexterity)] > 0.0 ||
+  const bool nearSingular =
+      !cell.arm && state.wristSine < 2.0 * std::sin(task_.params.wristMargin.value());
+  const bool needsState = nearSingular ||
+                          weights_[static_cast<std::size_t>(Objective::Dexterity)] > 0.0 ||
                           weights_[static_cast<std::size_t>(Objective::Uncertainty)] > 0.0 ||
                           state.dexterity < 2.0 * task_.params.minDexterity ||
                           state.axisDistance < 2.0 * task_.params.shoulderMargin.value();
   for (int v = 0; v < layout_.scalars(); ++v) {
     const FreeScalar scalar = layout_.active()[static_cast<std::size_t>(v)];
-    point.slope.col(v).head<6>() = gradient.col(static_cast<int>(scalar));
+    const int joints = cell.robotJoints();
+    point.slope.col(v).head(joints) = gradient.col(static_cast<int>(scalar)).head(joints);
     if (needsState) {
       cell::JointVector moved = point.q;
-      moved.head<6>() += kStep * gradient.col(static_cast<int>(scalar));
+      moved.head(joints) += kStep * gradient.col(static_cast<int>(scalar)).head(joints);
       const ArmState next = model_.armState(moved);
       point.dexteritySlope(v) = (next.dexterity - state.dexterity) / kStep;
-      point.axisSlope(v) = (next.axisDistance - state.axisDistance) / kStep;
+      point.axisSlope(v) = std::isfinite(state.axisDistance)
+                               ? (next.axisDistance - state.axisDistance) / kStep
+                               : 0.0;
+      point.wristSlope(v) = (next.wristSine - state.wristSine) / kStep;
       point.uncertaintySlope(v) = (uncertaintyOf(next) - point.uncertainty) / kStep;
     }
     if (scalar == FreeScalar::Table) {
@@ -175,28 +184,32 @@ void ModelBuilder::linearise(std::size_t k,
   }
 }
 
+/// Σ of joints' factors as one residual.
+void ModelBuilder::addJoints(const Point& point,
+                             double residual,
+                             double weight,
+                             std::initializer_list<int> joints,
+                             std::initializer_list<double> factors,
+                             Sum& sum) {
+  sum.begin(residual);
+  for (int v = 0; v < sum.scalars(); ++v) {
+    double slope = 0.0;
+    const auto* factor = factors.begin();
+    for (const int j : joints) {
+      slope += *factor++ * point.slope(j, v);
+    }
+    sum.add(point, v, slope);
+  }
+  sum.finish(weight);
+}
+
 /// Limits, singularities, cable, tilt and the objectives of a single point.
 void ModelBuilder::addPoint(const Point& point, double penalty, Sum& sum) const {
   const Cell& cell = task_.cell;
-  const cell::Arm& arm = *cell.arm;
   const MotionParams& params = task_.params;
   const int scalars = sum.scalars();
   const auto weight = [this](Objective o) {
     return weights_[static_cast<std::size_t>(o)] * perPoint_;
-  };
-  // Σ of joints' factors as one residual.
-  const auto addJoints = [&](double residual, double w, std::initializer_list<int> joints,
-                             std::initializer_list<double> factors) {
-    sum.begin(residual);
-    for (int v = 0; v < scalars; ++v) {
-      double slope = 0.0;
-      auto factor = factors.begin();
-      for (const int j : joints) {
-        slope += *factor++ * point.slope(j, v);
-      }
-      sum.add(point, v, slope);
-    }
-    sum.finish(w);
   };
   const auto addSlope = [&](double residual, double w, const Eigen::Vector4d& slope, double scale) {
     sum.begin(residual);
@@ -214,35 +227,24 @@ void ModelBuilder::addPoint(const Point& point, double penalty, Sum& sum) const 
     const double middle = 0.5 * (joint.max + joint.min);
     const double d = point.q(j) - middle;
     if (weight(Objective::Limits) > 0.0) {
-      addJoints(d / half, weight(Objective::Limits), {j}, {1.0 / half});
+      addJoints(point, d / half, weight(Objective::Limits), {j}, {1.0 / half}, sum);
     }
-    const double inner = half - std::min(kLimitTighter, kTighter * half);
+    const double unit = model_.inUnit(j, 1.0);
+    const double tighter = joint.prismatic() ? kLengthTighter : kLimitTighter;
+    const double inner = half - std::min(tighter, kTighter * half);
     if (std::abs(d) > inner) {
-      addJoints((std::abs(d) - inner) * kDegrees, penalty, {j}, {d > 0 ? kDegrees : -kDegrees});
+      addJoints(point, (std::abs(d) - inner) * unit, penalty, {j}, {d > 0 ? unit : -unit}, sum);
     }
   }
-  const double bend5 = towardsMultiple(arm.gain(4, 4) * point.q(4) + arm.offset(4));
-  const double wrist = params.wristMargin.value() * (1.0 + kTighter);
-  if (std::abs(bend5) < wrist) {
-    const double sign = bend5 < 0.0 ? 1.0 : -1.0;
-    addJoints((wrist - std::abs(bend5)) * kDegrees, penalty, {4},
-              {sign * arm.gain(4, 4) * kDegrees});
+  for (const cell::JointSum& own : cell.sums) {
+    addSum(point, own, penalty, sum);
   }
-  const double bend3 = towardsMultiple(arm.gain(2, 1) * point.q(1) + arm.gain(2, 2) * point.q(2) +
-                                       arm.offset(2) - std::atan2(arm.d4, arm.r4));
-  const double elbow = params.elbowMargin.value() * (1.0 + kTighter);
-  if (std::abs(bend3) < elbow) {
-    const double sign = bend3 < 0.0 ? 1.0 : -1.0;
-    addJoints((elbow - std::abs(bend3)) * kDegrees, penalty, {1, 2},
-              {sign * arm.gain(2, 1) * kDegrees, sign * arm.gain(2, 2) * kDegrees});
-  }
-  if (params.cableLimit.value() > 0.0) {
-    const double twist = model_.cableTwist(point.q, params.cableZero.value());
-    const double most = params.cableLimit.value() * (1.0 - kTighter);
-    if (std::abs(twist) > most) {
-      const double sign = twist > 0.0 ? kDegrees : -kDegrees;
-      addJoints((std::abs(twist) - most) * kDegrees, penalty, {3, 5},
-                {sign, sign * model_.cableSign()});
+  if (cell.arm) {
+    addArm(point, penalty, sum);
+  } else {
+    const double wanted = std::sin(params.wristMargin.value()) * (1.0 + kTighter);
+    if (point.wristSine < wanted) {
+      addSlope((wanted - point.wristSine) * kDegrees, penalty, point.wristSlope, -kDegrees);
     }
   }
   if (weight(Objective::Dexterity) > 0.0) {
@@ -278,6 +280,58 @@ void ModelBuilder::addPoint(const Point& point, double penalty, Sum& sum) const 
   }
 }
 
+/// Wrist, elbow and cable of an arm.
+void ModelBuilder::addArm(const Point& point, double penalty, Sum& sum) const {
+  const cell::Arm& arm = *task_.cell.arm;
+  const MotionParams& params = task_.params;
+  const double bend5 = towardsMultiple(arm.gain(4, 4) * point.q(4) + arm.offset(4));
+  const double wrist = params.wristMargin.value() * (1.0 + kTighter);
+  if (std::abs(bend5) < wrist) {
+    const double sign = bend5 < 0.0 ? 1.0 : -1.0;
+    addJoints(point, (wrist - std::abs(bend5)) * kDegrees, penalty, {4},
+              {sign * arm.gain(4, 4) * kDegrees}, sum);
+  }
+  const double bend3 = towardsMultiple(arm.gain(2, 1) * point.q(1) + arm.gain(2, 2) * point.q(2) +
+                                       arm.offset(2) - std::atan2(arm.d4, arm.r4));
+  const double elbow = params.elbowMargin.value() * (1.0 + kTighter);
+  if (std::abs(bend3) < elbow) {
+    const double sign = bend3 < 0.0 ? 1.0 : -1.0;
+    addJoints(point, (elbow - std::abs(bend3)) * kDegrees, penalty, {1, 2},
+              {sign * arm.gain(2, 1) * kDegrees, sign * arm.gain(2, 2) * kDegrees}, sum);
+  }
+  if (params.cableLimit.value() > 0.0) {
+    const double twist = model_.cableTwist(point.q, params.cableZero.value());
+    const double most = params.cableLimit.value() * (1.0 - kTighter);
+    if (std::abs(twist) > most) {
+      const double sign = twist > 0.0 ? kDegrees : -kDegrees;
+      addJoints(point, (std::abs(twist) - most) * kDegrees, penalty, {3, 5},
+                {sign, sign * model_.cableSign()}, sum);
+    }
+  }
+}
+
+/// A limited sum of joints.
+void ModelBuilder::addSum(const Point& point,
+                          const cell::JointSum& own,
+                          double penalty,
+                          Sum& sum) const {
+  const double unit = model_.inUnit(CellModel::firstOf(own), 1.0);
+  const double d = own.value(point.q) - 0.5 * (own.max + own.min);
+  const double inner = 0.5 * (own.max - own.min) * (1.0 - kTighter);
+  if (std::abs(d) <= inner) {
+    return;
+  }
+  sum.begin((std::abs(d) - inner) * unit);
+  for (int v = 0; v < sum.scalars(); ++v) {
+    double slope = 0.0;
+    for (std::size_t j = 0; j < own.factors.size(); ++j) {
+      slope += own.factors[j] * point.slope(static_cast<Eigen::Index>(j), v);
+    }
+    sum.add(point, v, (d > 0.0 ? unit : -unit) * slope);
+  }
+  sum.finish(penalty);
+}
+
 /// Σ of squared joint steps, and speed.
 void ModelBuilder::addStep(const Point& from, const Point& to, double penalty, Sum& sum) const {
   const Cell& cell = task_.cell;
@@ -290,7 +344,8 @@ void ModelBuilder::addStep(const Point& from, const Point& to, double penalty, S
     if (robot && joint.endless && !cell.partCarried()) {
       w += weight(Objective::Winding) / 360.0;
     }
-    w *= kDegrees * kDegrees;
+    const double unit = model_.inUnit(j, 1.0);
+    w *= unit * unit;
     if (to.time > 0.0) {
       const double most = joint.maxSpeed * to.time;
       w += weight(Objective::Speed) * perPoint_ / (most * most);
@@ -309,8 +364,8 @@ void ModelBuilder::addStep(const Point& from, const Point& to, double penalty, S
     }
     const double most = joint.maxSpeed * to.time * (1.0 - kTighter);
     if (std::abs(step) > most) {
-      const double scale = step > 0.0 ? kDegrees : -kDegrees;
-      addRow((std::abs(step) - most) * kDegrees, scale,
+      const double scale = step > 0.0 ? unit : -unit;
+      addRow((std::abs(step) - most) * unit, scale,
              penalty + weight(Objective::TcpSpeed) * perPoint_);
     }
   }
@@ -343,10 +398,9 @@ void ModelBuilder::addBend(const Point& before,
 /// The move between beads as one step.
 void ModelBuilder::addTransition(const Point& from, const Point& to, Sum& sum) const {
   for (int j = 0; j < task_.cell.jointCount(); ++j) {
-    const cell::Joint& joint = task_.cell.joint(j);
-    const double stroke = joint.endless ? 0.0 : joint.max - joint.min;
-    const double w = weights_[static_cast<std::size_t>(Objective::Transition)] * kDegrees *
-                     kDegrees / radToDeg(std::max(stroke, 2.0 * kPi));
+    const double unit = model_.inUnit(j, 1.0);
+    const double w = weights_[static_cast<std::size_t>(Objective::Transition)] * unit * unit /
+                     model_.travelRange(j);
     sum.begin(to.q(j) - from.q(j));
     for (int v = 0; v < sum.scalars(); ++v) {
       sum.add(from, v, -from.slope(j, v));

@@ -86,6 +86,14 @@ private:
                  const Motion& motion,
                  Point& point) const;
   void addPoint(const Point& point, double penalty, Sum& sum) const;
+  static void addJoints(const Point& point,
+                        double residual,
+                        double weight,
+                        std::initializer_list<int> joints,
+                        std::initializer_list<double> factors,
+                        Sum& sum);
+  void addArm(const Point& point, double penalty, Sum& sum) const;
+  void addSum(const Point& point, const cell::JointSum& own, double penalty, Sum& sum) const;
   void addStep(const Point& from, const Point& to, double penalty, Sum& sum) const;
   void addBend(const Point& before, const Point& at, const Point& after, Sum& sum) const;
   void addTransition(const Point& from, const Point& to, Sum& sum) const;

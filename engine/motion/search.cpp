@@ -38,6 +38,12 @@ using BackPointers = std::unique_ptr<std::uint16_t[]>;
 static_assert(kTableSamples * 2 * kLanes <= 65536);
 static_assert(kLanes % kLaneBlock == 0);
 
+/// Of a joint that the robot does not have: at rest. The twist's row is left out instead.
+const float* unusedRow(int row) {
+  static constexpr std::array<float, 2 * kLanes> kRest{};
+  return row + 1 == kSearchRows ? nullptr : kRest.data();
+}
+
 struct Column {
   RungStates states;
   std::vector<float> cost;  ///< 2·kLanes per table, the second half a copy
@@ -102,17 +108,18 @@ private:
     for (int j = 0; j < cell.jointCount(); ++j) {
       const cell::Joint& joint = cell.joint(j);
       const bool robot = j < cell.robotJoints();
+      // To squared degrees, or mm.
+      const double unit2 = joint.prismatic() ? 1.0 : degrees2;
       double weight = 0.0;
       if (travel) {
-        const double stroke = joint.endless ? 0.0 : joint.max - joint.min;
-        weight = params.weightTransition * degrees2 / radToDeg(std::max(stroke, 2.0 * kPi));
+        weight = params.weightTransition * unit2 / model_.travelRange(j);
       } else {
         // n equal steps make 1/n of the square of their sum.
         weight = (robot ? params.weightMotion * model_.motionWeight(j)
                         : params.weightPositioner / 360.0) *
-                 degrees2 / n;
+                 unit2 / n;
         if (robot && joint.endless && !cell.partCarried()) {
-          weight += params.weightWinding / 360.0 * degrees2 / n;
+          weight += params.weightWinding / 360.0 * unit2 / n;
         }
         if (rung.time > 0.0) {
           const double most = joint.maxSpeed * rung.time;
@@ -142,8 +149,7 @@ private:
   /// A limited joint whose range holds more than a turn may pass ±π.
   bool wrapsInside(int j) const {
     const cell::Joint& joint = task_.cell.joint(j);
-    return task_.cell.arm->periodic[static_cast<std::size_t>(j)] &&
-           joint.max - joint.min > 2.0 * kPi && (j != 3 || frame_.fourWraps);
+    return model_.periodic(j) && joint.max - joint.min > 2.0 * kPi && (j != 3 || frame_.fourWraps);
   }
 
   double tableCost(const Steps& steps, double from, double to) const {
@@ -161,7 +167,7 @@ private:
               std::size_t offset,
               const float** rows) const {
     for (int r = 0; r < kSearchRows; ++r) {
-      rows[r] = states.rows[r].empty() ? nullptr : states.row(r, table) + offset;
+      rows[r] = states.rows[r].empty() ? unusedRow(r) : states.row(r, table) + offset;
     }
   }
 
@@ -289,7 +295,7 @@ private:
     for (std::size_t s = 0; s < starts.size(); ++s) {
       for (int r = 0; r < kSearchRows; ++r) {
         const std::vector<float>& row = before.states.rows[r];
-        sources[s].rows[r] = row.empty() ? nullptr : row.data() + starts[s];
+        sources[s].rows[r] = row.empty() ? unusedRow(r) : row.data() + starts[s];
       }
       sources[s].cost = before.cost.data() + starts[s];
     }
@@ -392,8 +398,7 @@ Resolution resolutionOf(const Task& task, const SearchFrame& frame, const Search
   }
   for (std::size_t r = 0; r < frame.rungs.size(); ++r) {
     const Rung& rung = frame.rungs[r];
-    resolution.branches[task.runs.segments[rung.segment].run] =
-        cell::Branch::fromIndex(path.branch[r]);
+    resolution.branches[task.runs.segments[rung.segment].run] = path.branch[r];
     resolution.choices[rung.target] =
         builder.choice(rung.target, table ? offset[r] : 0.0, path.torchSample[r]);
     if (rung.firstOfSegment) {

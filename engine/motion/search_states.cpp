@@ -24,6 +24,8 @@ constexpr double kTableStep = kTurn / kTableSamples;
 /// Half a torch sample: between rungs the samples then follow by at most one step.
 constexpr double kBend = 0.5 * kTorchStep;
 constexpr int kMaxCoarsening = 8;
+/// Way between rungs at most where the robot is no arm, mm.
+constexpr double kLongest = 50.0;
 
 double angleBetween(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -85,7 +87,7 @@ std::vector<Rung> chooseRungs(const Task& task, std::size_t family, std::size_t 
   std::vector<Rung> rungs;
   double bend = kBend;
   // A straight line needs few states; a run of 1/20 of the reach moves the joints by a few degrees.
-  double longest = cell::armReach(*task.cell.arm) / 40.0;
+  double longest = task.cell.arm ? cell::armReach(*task.cell.arm) / 40.0 : kLongest;
   for (int k = 0; k < kMaxCoarsening; ++k) {
     rungs.clear();
     for (std::size_t s = 0; s < task.runs.segments.size(); ++s) {
@@ -103,6 +105,7 @@ std::vector<Rung> chooseRungs(const Task& task, std::size_t family, std::size_t 
 StateBuilder::StateBuilder(const Task& task, const SearchFrame& frame)
     : task_(task),
       frame_(frame),
+      model_(task.cell),
       hasTable_(!task.cell.partCarried() && task.cell.positionerJoints() > 0) {}
 
 double StateBuilder::tableStep() const {
@@ -112,6 +115,8 @@ double StateBuilder::tableStep() const {
 FreeChoice StateBuilder::choice(std::size_t target, double tableOffset, double torchSample) const {
   FreeChoice choice;
   choice.torchRotation = frame_.gauge[target] + torchSample * kTorchStep;
+  choice.lead = frame_.lead;
+  choice.lateral = frame_.lateral;
   choice.positioner = task_.references[frame_.family].joints[target];
   if (hasTable_) {
     choice.positioner[static_cast<std::size_t>(task_.cell.positionerJoints() - 1)] += tableOffset;
@@ -149,7 +154,8 @@ void StateBuilder::build(const Rung& rung, RungStates& states) const {
   chooseTables(rung, states);
   const std::size_t tables = states.tables.size();
   for (int r = 0; r < kSearchRows; ++r) {
-    const bool used = r < 6 || task_.params.cableLimit.value() > 0.0;
+    const bool used = r < 6 ? r < task_.cell.robotJoints()
+                            : task_.cell.arm && task_.params.cableLimit.value() > 0.0;
     states.rows[r].resize(used ? tables * 2 * kLanes : 0);
   }
   states.cost.assign(tables * kLanes, 0.0F);
@@ -177,6 +183,10 @@ std::vector<geometry::Vec2> sampleTurns() {
 void StateBuilder::solve(const Rung& rung, RungStates& states) const {
   using cell::Branch;
   const cell::Cell& cell = task_.cell;
+  if (!cell.arm) {
+    solveEach(rung, states);
+    return;
+  }
   const Target& target = task_.targets[rung.target];
   // About 80 kB that would not fit every stack.
   thread_local const auto poses = std::make_unique<cell::PoseBlock>();
@@ -234,18 +244,67 @@ void StateBuilder::solve(const Rung& rung, RungStates& states) const {
   }
 }
 
+/// The same of robots that are no arms, pose by pose; branches and rotations that the robot does
+/// not have are never taken. Their singularity margins are looked at here.
+void StateBuilder::solveEach(const Rung& rung, RungStates& states) const {
+  using cell::InverseKinematics;
+  const cell::Cell& cell = task_.cell;
+  const InverseKinematics& inverse = *cell.inverse;
+  const auto branches = static_cast<std::size_t>(inverse.branches());
+  const double margin = std::sin(task_.params.wristMargin.value());
+  const auto steps = static_cast<float>(rung.steps);
+  std::array<cell::InverseSolution, InverseKinematics::kMostBranches> solutions;
+  for (std::size_t pose = 0; pose < states.tables.size() * kTorchSamples; ++pose) {
+    const std::size_t table = pose / kTorchSamples;
+    const std::size_t sample = pose % kTorchSamples;
+    const bool taken = sample == 0 || inverse.freeRotation();
+    if (taken) {
+      Pose T_part_tcp;
+      const FreeChoice own =
+          choice(rung.target, states.tables[table] * kTableStep, static_cast<double>(sample));
+      inverse.solveAll(flangePose(cell, task_.targets[rung.target], own, &T_part_tcp), solutions);
+    }
+    for (std::size_t b = 0; b < InverseKinematics::kMostBranches; ++b) {
+      const cell::InverseSolution& solution = solutions[b < branches ? b : 0];
+      const std::size_t at = table * 2 * kLanes + sample * InverseKinematics::kMostBranches + b;
+      float& cost = states.cost[pose * InverseKinematics::kMostBranches + b];
+      for (int j = 0; j < cell.robotJoints(); ++j) {
+        states.rows[j][at] = static_cast<float>(solution.joints(j));
+      }
+      cost += taken && b < branches ? 0.0F : SearchPenalty::kNever;
+      cost += solution.reachable ? 0.0F : SearchPenalty::kUnreachable * steps;
+      cost +=
+          marginSine(cell, solution.wristSine) < margin ? SearchPenalty::kSingular * steps : 0.0F;
+    }
+  }
+}
+
+namespace {
+
+/// A full turn of the sum's joints is a full turn of the sum.
+bool wholeTurns(const CellModel& model, const cell::JointSum& sum) {
+  for (std::size_t j = 0; j < sum.factors.size(); ++j) {
+    const double factor = sum.factors[j];
+    if (factor != 0.0 && (std::abs(factor) != 1.0 || !model.periodic(static_cast<int>(j)))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 /// Limits, singularity margins, twist and objectives of the states of one table sample; the second
 /// half of each row.
 void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& states) const {
   const cell::Cell& cell = task_.cell;
-  const cell::Arm& arm = *cell.arm;
   const MotionParams& params = task_.params;
   float* cost = states.cost.data() + table * kLanes;
   const std::size_t base = table * 2 * kLanes;
   const auto weight = static_cast<float>(params.weightLimits * static_cast<double>(rung.steps) /
                                          static_cast<double>(frame_.points));
   const auto steps = static_cast<float>(rung.steps);
-  for (int j = 0; j < 6; ++j) {
+  for (int j = 0; j < cell.robotJoints(); ++j) {
     const cell::Joint& joint = cell.joint(j);
     if (joint.endless) {
       continue;
@@ -255,10 +314,72 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
     range.half = static_cast<float>(0.5 * (joint.max - joint.min));
     range.weight = weight;
     range.outside = steps * SearchPenalty::kOutside;
-    range.beyond = steps * SearchPenalty::kBeyond;
-    range.wraps = arm.periodic[static_cast<std::size_t>(j)];
+    range.beyond = steps * SearchPenalty::kBeyond * static_cast<float>(model_.asAngle(j, 1.0));
+    range.wraps = model_.periodic(j);
     addRangeCost(states.rows[j].data() + base, range, kLanes, cost);
   }
+  if (cell.arm) {
+    addArmCosts(rung, table, states);
+  }
+  addSumCosts(rung, table, states);
+  PositionerValues values = task_.references[frame_.family].joints[rung.target];
+  if (hasTable_) {
+    values[static_cast<std::size_t>(cell.positionerJoints() - 1)] = states.tableValues[table];
+  }
+  double shared = 0.0;
+  if (params.weightGravity > 0.0) {
+    const double angle = radToDeg(verticalError(cell, task_.targets[rung.target].up, values));
+    shared += params.weightGravity * angle * angle * static_cast<double>(rung.steps) /
+              static_cast<double>(frame_.points);
+  }
+  float branches[cell::Branch::kCount];
+  for (int k = 0; k < cell::Branch::kCount; ++k) {
+    const cell::Branch branch = cell::Branch::fromIndex(k);
+    const int unusual = cell.arm ? (branch.elbowDown ? 1 : 0) + (branch.backwards ? 2 : 0) : 0;
+    branches[k] = static_cast<float>(shared) +
+                  (mayUse(cell, params, k) ? 0.0F : SearchPenalty::kNever) +
+                  (rung.firstOfRun ? SearchPenalty::kUnusual * static_cast<float>(unusual) : 0.0F);
+  }
+  addBranchCost(branches, kLanes, cost);
+  for (auto& row : states.rows) {
+    if (!row.empty()) {
+      std::copy_n(row.data() + base, kLanes, row.data() + base + kLanes);
+    }
+  }
+}
+
+/// Sums of joints that the cell limits, of the turns that lie best.
+void StateBuilder::addSumCosts(const Rung& rung, std::size_t table, RungStates& states) const {
+  float* cost = states.cost.data() + table * kLanes;
+  const std::size_t base = table * 2 * kLanes;
+  const auto steps = static_cast<float>(rung.steps);
+  for (const cell::JointSum& sum : task_.cell.sums) {
+    std::array<float, kLanes> values{};
+    for (int j = 0; j < task_.cell.robotJoints(); ++j) {
+      const auto factor = static_cast<float>(sum.factors[static_cast<std::size_t>(j)]);
+      for (std::size_t n = 0; n < kLanes && factor != 0.0F; ++n) {
+        values[n] += factor * states.rows[j][base + n];
+      }
+    }
+    RangeCost range;
+    range.middle = static_cast<float>(0.5 * (sum.min + sum.max));
+    range.half = static_cast<float>(0.5 * (sum.max - sum.min));
+    range.weight = 0.0F;
+    range.outside = steps * SearchPenalty::kOutside;
+    range.beyond = steps * SearchPenalty::kBeyond *
+                   static_cast<float>(model_.asAngle(CellModel::firstOf(sum), 1.0));
+    range.wraps = wholeTurns(model_, sum);
+    addRangeCost(values.data(), range, kLanes, cost);
+  }
+}
+
+/// Singularity margins and cable twist of an arm.
+void StateBuilder::addArmCosts(const Rung& rung, std::size_t table, RungStates& states) const {
+  const cell::Arm& arm = *task_.cell.arm;
+  const MotionParams& params = task_.params;
+  float* cost = states.cost.data() + table * kLanes;
+  const std::size_t base = table * 2 * kLanes;
+  const auto steps = static_cast<float>(rung.steps);
   // Wrist and elbow bends are linear in the canonical angles.
   const float* row2 = states.rows[1].data() + base;
   const float* row3 = states.rows[2].data() + base;
@@ -281,29 +402,6 @@ void StateBuilder::addCosts(const Rung& rung, std::size_t table, RungStates& sta
                  {sign, static_cast<float>(params.cableZero.value()), static_cast<float>(limit),
                   steps * SearchPenalty::kTwist},
                  kLanes, states.rows[6].data() + base, cost);
-  }
-  PositionerValues values = task_.references[frame_.family].joints[rung.target];
-  if (hasTable_) {
-    values[static_cast<std::size_t>(cell.positionerJoints() - 1)] = states.tableValues[table];
-  }
-  double shared = 0.0;
-  if (params.weightGravity > 0.0) {
-    const double angle = radToDeg(verticalError(cell, task_.targets[rung.target].up, values));
-    shared += params.weightGravity * angle * angle * static_cast<double>(rung.steps) /
-              static_cast<double>(frame_.points);
-  }
-  float branches[cell::Branch::kCount];
-  for (int k = 0; k < cell::Branch::kCount; ++k) {
-    const cell::Branch branch = cell::Branch::fromIndex(k);
-    const int unusual = (branch.elbowDown ? 1 : 0) + (branch.backwards ? 2 : 0);
-    branches[k] = static_cast<float>(shared) + (mayUse(params, k) ? 0.0F : SearchPenalty::kNever) +
-                  (rung.firstOfRun ? SearchPenalty::kUnusual * static_cast<float>(unusual) : 0.0F);
-  }
-  addBranchCost(branches, kLanes, cost);
-  for (auto& row : states.rows) {
-    if (!row.empty()) {
-      std::copy_n(row.data() + base, kLanes, row.data() + base + kLanes);
-    }
   }
 }
 

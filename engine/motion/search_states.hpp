@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cell_model.hpp"
 #include "plan_detail.hpp"
 #include "search_kernel.hpp"
 
@@ -16,6 +17,7 @@ namespace wcam::motion::detail {
 inline constexpr int kTorchSamples = 36;
 inline constexpr int kTableSamples = 24;
 inline constexpr int kLanes = kTorchSamples * cell::Branch::kCount;
+static_assert(cell::InverseKinematics::kMostBranches == cell::Branch::kCount);
 
 /// Costs of broken constraints in the search, far above any objective and far below each other.
 struct SearchPenalty {
@@ -47,6 +49,8 @@ struct SearchFrame {
   bool fourWraps = true;      ///< axis 4 may pass a half turn
   bool moveTable = true;      ///< table samples besides the reference
   std::size_t points = 1;     ///< targets on beads
+  double lead = 0.0;          ///< tilt of all states, rad
+  double lateral = 0.0;
 };
 
 /// All states of a rung, joint-major. Lane = torch sample·8 + branch; each table sample has
@@ -80,11 +84,15 @@ public:
 private:
   void chooseTables(const Rung& rung, RungStates& states) const;
   void solve(const Rung& rung, RungStates& states) const;
+  void solveEach(const Rung& rung, RungStates& states) const;
   void addCosts(const Rung& rung, std::size_t table, RungStates& states) const;
+  void addArmCosts(const Rung& rung, std::size_t table, RungStates& states) const;
+  void addSumCosts(const Rung& rung, std::size_t table, RungStates& states) const;
   void addTravel(const Rung& rung, RungStates& states) const;
 
   const Task& task_;
   const SearchFrame& frame_;
+  CellModel model_;
   bool hasTable_;
 };
 

@@ -55,7 +55,9 @@ std::vector<double> parameters(const Task& task, const Segment& segment, double 
 
 SplineLayout::SplineLayout(const Task& task, const RefineFrame& frame)
     : task_(task), frame_(frame) {
-  active_.push_back(FreeScalar::Torch);
+  if (task.cell.inverse->freeRotation()) {
+    active_.push_back(FreeScalar::Torch);
+  }
   if (frame.moveTable) {
     active_.push_back(FreeScalar::Table);
   }

@@ -4,8 +4,10 @@
 // Joints from free choices: with search_states.cpp the only place that calls inverse kinematics.
 
 #include "wcam/base/parallel.hpp"
+#include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/unwrap.hpp"
 
+#include "cell_model.hpp"
 #include "plan_detail.hpp"
 #include "turns.hpp"
 
@@ -17,13 +19,16 @@ namespace wcam::motion::detail {
 namespace {
 
 using cell::Branch;
-using cell::IkSolution;
+using cell::InverseKinematics;
+using cell::InverseSolution;
 using cell::JointVector;
 
 constexpr std::size_t kGrain = 128;
 /// A branch whose joints all keep this part of their range to the limits is good enough for a usual
 /// posture to be preferred to a larger margin.
 constexpr double kEnoughMargin = 0.05;
+/// Targets on which the start postures of a numeric search are compared, at most.
+constexpr std::size_t kFollowedTargets = 200;
 
 /// Distance to the nearest limit over the joint's range, of the turn that lies best inside.
 double relativeMargin(const cell::Joint& joint, double value, bool periodic) {
@@ -35,15 +40,15 @@ double relativeMargin(const cell::Joint& joint, double value, bool periodic) {
   return cell::limitMargin(joint, best) / (joint.max - joint.min);
 }
 
-void addToScore(const Cell& cell, const IkSolution& solution, BranchScore& score) {
+void addToScore(const CellModel& model, const InverseSolution& solution, BranchScore& score) {
+  const Cell& cell = model.cell();
   if (!solution.reachable) {
     ++score.unreachable;
     return;
   }
   double margin = BranchScore::kFullMargin;
   for (int j = 0; j < cell.robotJoints(); ++j) {
-    margin = std::min(margin, relativeMargin(cell.joint(j), solution.joints(j),
-                                             cell.arm->periodic[static_cast<std::size_t>(j)]));
+    margin = std::min(margin, relativeMargin(cell.joint(j), solution.joints(j), model.periodic(j)));
   }
   if (margin < 0.0) {
     ++score.outsideLimits;
@@ -68,9 +73,9 @@ void merge(const BranchScore& part, BranchScore& whole) {
   whole.margin = std::min(whole.margin, part.margin);
 }
 
-BranchScores emptyScores() {
+BranchScores emptyScores(const Cell& cell) {
   BranchScores scores;
-  for (std::size_t k = 0; k < scores.size(); ++k) {
+  for (std::size_t k = 0; cell.arm && k < scores.size(); ++k) {
     const Branch branch = Branch::fromIndex(static_cast<int>(k));
     scores[k].unusual = (branch.elbowDown ? 1 : 0) + (branch.backwards ? 2 : 0);
   }
@@ -79,22 +84,23 @@ BranchScores emptyScores() {
 
 /// Joints of a target in the cell's order.
 JointVector cellJoints(const Cell& cell,
-                       const cell::Vector6& robot,
+                       const JointVector& robot,
                        const PositionerValues& positioner) {
   JointVector q(cell.jointCount());
-  q.head<6>() = robot;
+  q.head(robot.size()) = robot;
   for (int j = 0; j < cell.positionerJoints(); ++j) {
     q(cell.robotJoints() + j) = positioner[static_cast<std::size_t>(j)];
   }
   return q;
 }
 
-PointState stateOf(const IkSolution& solution) {
+PointState stateOf(const Cell& cell, const InverseSolution& solution) {
   PointState state;
-  state.wristSine = static_cast<float>(solution.wristSine);
+  state.wristSine = static_cast<float>(marginSine(cell, solution.wristSine));
   state.elbowSine = static_cast<float>(solution.elbowSine);
   state.axisDistance = static_cast<float>(solution.axisDistance);
   state.missing = solution.missing;
+  state.missingTilt = solution.tilt;
   return state;
 }
 
@@ -120,10 +126,91 @@ void closeSingularPoints(const Task& task,
     }
     Pose T_part_tcp;
     const Pose flange = flangePose(task.cell, task.targets[i], resolution.choices[i], &T_part_tcp);
-    const IkSolution solution = cell::inverseArm(
-        *task.cell.arm, flange, resolution.branches[run[i]], motion.waypoints[i - 1].joints.data());
-    motion.waypoints[i].joints.head<6>() = solution.joints;
+    const InverseSolution solution = task.cell.inverse->solve(
+        flange, resolution.branches[run[i]], motion.waypoints[i - 1].joints.data());
+    motion.waypoints[i].joints.head(solution.joints.size()) = solution.joints;
   }
+}
+
+/// Everything of a waypoint but its joints, and the pose that the flange must take.
+Pose prepareWaypoint(const Task& task, std::size_t i, const FreeChoice& choice, Waypoint& point) {
+  const Target& target = task.targets[i];
+  point = target.waypoint;
+  const Pose flange = flangePose(task.cell, target, choice, &point.T_part_tcp);
+  point.verticalError = verticalError(task.cell, target.up, choice.positioner);
+  point.leastVerticalError = task.aligned[0].residual[i];
+  const Vec3 axis = point.T_part_tcp.linear().col(2);
+  point.tilt = choice.lead == 0.0 && choice.lateral == 0.0
+                   ? 0.0
+                   : std::atan2(axis.cross(target.axis).norm(), axis.dot(target.axis));
+  return flange;
+}
+
+/// Joints of all waypoints in order, each from those before.
+void followTargets(const Task& task,
+                   const Resolution& resolution,
+                   const std::vector<std::size_t>& run,
+                   const JobContext& context,
+                   Motion& motion,
+                   std::vector<PointState>* states) {
+  const double* seed = nullptr;
+  for (std::size_t i = 0; i < task.targets.size(); ++i) {
+    context.check();
+    Waypoint& point = motion.waypoints[i];
+    const FreeChoice& choice = resolution.choices[i];
+    const Pose flange = prepareWaypoint(task, i, choice, point);
+    const InverseSolution solution =
+        task.cell.inverse->solve(flange, resolution.branches[run[i]], seed);
+    point.reachable = solution.reachable;
+    point.joints = cellJoints(task.cell, solution.joints, choice.positioner);
+    if (solution.reachable) {
+      seed = point.joints.data();
+    }
+    if (states != nullptr) {
+      (*states)[i] = stateOf(task.cell, solution);
+    }
+  }
+}
+
+/// A robot that cannot turn about the tool axis takes the rotation that goes with its joints.
+void takeOwnRotation(const Cell& cell, Motion& motion, const JobContext& context) {
+  parallelFor(
+      motion.waypoints.size(), kGrain,
+      [&](std::size_t i) {
+        Waypoint& point = motion.waypoints[i];
+        if (point.reachable) {
+          point.T_part_tcp.linear() = cell::T_part_tcp(cell, point.joints).linear();
+        }
+      },
+      context);
+}
+
+/// Scores of the start postures of a numeric search, each followed over targets in order.
+BranchScores scorePostures(const Task& task,
+                           const std::vector<FreeChoice>& choices,
+                           const JobContext& context) {
+  const CellModel model(task.cell);
+  const std::size_t stride = choices.size() / kFollowedTargets + 1;
+  BranchScores scores = emptyScores(task.cell);
+  parallelFor(
+      static_cast<std::size_t>(task.cell.inverse->branches()), 1,
+      [&](std::size_t k) {
+        JointVector before;
+        for (std::size_t i = 0; i < choices.size(); i += stride) {
+          context.check();
+          Pose T_part_tcp;
+          const Pose flange = flangePose(task.cell, task.targets[i], choices[i], &T_part_tcp);
+          const InverseSolution solution = task.cell.inverse->solve(
+              flange, static_cast<int>(k), before.size() > 0 ? before.data() : nullptr);
+          addToScore(model, solution, scores[k]);
+          scores[k].outsideLimits += positionerOutside(task.cell, choices[i].positioner) ? 1 : 0;
+          if (solution.reachable) {
+            before = solution.joints;
+          }
+        }
+      },
+      context);
+  return scores;
 }
 
 }  // namespace
@@ -145,32 +232,43 @@ bool BranchScore::betterThan(const BranchScore& other) const {
   return margin > other.margin;
 }
 
-bool mayUse(const MotionParams& params, int branch) {
-  return params.branch == BranchChoice::Auto || static_cast<int>(params.branch) - 1 == branch;
+bool mayUse(const Cell& cell, const MotionParams& params, int branch) {
+  return !cell.arm || params.branch == BranchChoice::Auto ||
+         static_cast<int>(params.branch) - 1 == branch;
+}
+
+bool isFollowed(const Cell& cell) {
+  return cell.inverse->method() == cell::InverseMethod::Numeric;
 }
 
 BranchScores scoreBranches(const Task& task,
                            const std::vector<FreeChoice>& choices,
                            const JobContext& context) {
   const Cell& cell = task.cell;
-  std::vector<BranchScores> parts((choices.size() + kGrain - 1) / kGrain, emptyScores());
+  if (isFollowed(cell)) {
+    return scorePostures(task, choices, context);
+  }
+  const CellModel model(cell);
+  const auto branches = static_cast<std::size_t>(cell.inverse->branches());
+  std::vector<BranchScores> parts((choices.size() + kGrain - 1) / kGrain, emptyScores(cell));
   parallelForChunks(
       choices.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
         BranchScores& scores = parts[begin / kGrain];
+        std::array<InverseSolution, InverseKinematics::kMostBranches> result;
         for (std::size_t i = begin; i < end; ++i) {
           Pose T_part_tcp;
           const Pose flange = flangePose(cell, task.targets[i], choices[i], &T_part_tcp);
-          const cell::IkResult result = cell::inverseArm(*cell.arm, flange);
+          cell.inverse->solveAll(flange, result);
           const std::size_t outside = positionerOutside(cell, choices[i].positioner) ? 1 : 0;
-          for (std::size_t k = 0; k < result.size(); ++k) {
-            addToScore(cell, result[k], scores[k]);
+          for (std::size_t k = 0; k < branches; ++k) {
+            addToScore(model, result[k], scores[k]);
             scores[k].outsideLimits += outside;
           }
         }
       },
       context);
-  BranchScores whole = emptyScores();
+  BranchScores whole = emptyScores(cell);
   for (const BranchScores& part : parts) {
     for (std::size_t k = 0; k < whole.size(); ++k) {
       merge(part[k], whole[k]);
@@ -179,22 +277,23 @@ BranchScores scoreBranches(const Task& task,
   return whole;
 }
 
-std::vector<Branch> oneBranch(const Task& task,
-                              const std::vector<FreeChoice>& choices,
-                              const JobContext& context,
-                              BranchScore* score) {
+std::vector<int> oneBranch(const Task& task,
+                           const std::vector<FreeChoice>& choices,
+                           const JobContext& context,
+                           BranchScore* score) {
   const BranchScores scores = scoreBranches(task, choices, context);
   int best = -1;
-  for (int k = 0; k < Branch::kCount; ++k) {
-    if (mayUse(task.params, k) && (best < 0 || scores[static_cast<std::size_t>(k)].betterThan(
-                                                   scores[static_cast<std::size_t>(best)]))) {
+  for (int k = 0; k < task.cell.inverse->branches(); ++k) {
+    if (mayUse(task.cell, task.params, k) &&
+        (best < 0 ||
+         scores[static_cast<std::size_t>(k)].betterThan(scores[static_cast<std::size_t>(best)]))) {
       best = k;
     }
   }
   if (score != nullptr) {
     *score = scores[static_cast<std::size_t>(best)];
   }
-  return std::vector<Branch>(task.runs.count(), Branch::fromIndex(best));
+  return std::vector<int>(task.runs.count(), best);
 }
 
 Motion solveMotion(const Task& task,
@@ -218,33 +317,35 @@ void solveMotion(const Task& task,
   if (states != nullptr) {
     states->resize(targets.size());
   }
+  if (isFollowed(cell)) {
+    followTargets(task, resolution, run, context, motion, states);
+    chooseTurns(task, motion, context);
+    if (!cell.inverse->freeRotation()) {
+      takeOwnRotation(cell, motion, context);
+    }
+    return;
+  }
   std::vector<char> open(targets.size(), 0);
   parallelFor(
       targets.size(), kGrain,
       [&](std::size_t i) {
         Waypoint& point = motion.waypoints[i];
         const FreeChoice& choice = resolution.choices[i];
-        point = targets[i].waypoint;
-        const Pose flange = flangePose(cell, targets[i], choice, &point.T_part_tcp);
-        const IkSolution solution =
-            cell::inverseArm(*cell.arm, flange, resolution.branches[run[i]]);
+        const Pose flange = prepareWaypoint(task, i, choice, point);
+        const InverseSolution solution = cell.inverse->solve(flange, resolution.branches[run[i]]);
         point.reachable = solution.reachable;
         point.joints = cellJoints(cell, solution.joints, choice.positioner);
-        point.verticalError = verticalError(cell, targets[i].up, choice.positioner);
-        point.leastVerticalError = task.aligned[0].residual[i];
-        const Vec3 axis = point.T_part_tcp.linear().col(2);
-        point.tilt =
-            choice.lead == 0.0 && choice.lateral == 0.0
-                ? 0.0
-                : std::atan2(axis.cross(targets[i].axis).norm(), axis.dot(targets[i].axis));
         open[i] = solution.wristSingular || solution.shoulderSingular ? 1 : 0;
         if (states != nullptr) {
-          (*states)[i] = stateOf(solution);
+          (*states)[i] = stateOf(cell, solution);
         }
       },
       context);
   closeSingularPoints(task, resolution, run, open, motion);
   chooseTurns(task, motion, context);
+  if (!cell.inverse->freeRotation()) {
+    takeOwnRotation(cell, motion, context);
+  }
 }
 
 Candidate makeCandidate(const Task& task,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/base/parallel.hpp"
-#include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/unwrap.hpp"
 
 #include "cell_model.hpp"
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace wcam::motion {
 
@@ -57,15 +55,12 @@ MotionStatistics motionStatistics(const Motion& motion,
   statistics.joints.resize(static_cast<std::size_t>(cell.jointCount()));
   const std::vector<Waypoint>& waypoints = motion.waypoints;
   std::vector<double> dexterity(waypoints.size(), 1.0);
-  // The quick model is of arms with a closed form only.
-  const std::optional<detail::CellModel> model =
-      cell.arm ? std::make_optional<detail::CellModel>(cell) : std::nullopt;
+  const detail::CellModel model(cell);
   parallelFor(
       waypoints.size(), kGrain,
       [&](std::size_t i) {
         if (waypoints[i].reachable) {
-          dexterity[i] = model ? model->armState(waypoints[i].joints).dexterity
-                               : cell::dexterity(cell, waypoints[i].joints);
+          dexterity[i] = model.armState(waypoints[i].joints).dexterity;
         }
       },
       context);

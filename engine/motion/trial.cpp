@@ -4,11 +4,12 @@
 #include "trial.hpp"
 
 #include "wcam/cell/angles.hpp"
-#include "wcam/cell/arm.hpp"
 #include "wcam/cell/positioner.hpp"
 #include "wcam/cell/unwrap.hpp"
 
+#include "cell_model.hpp"
 #include "exit_search.hpp"
+#include "plan_detail.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,13 +53,29 @@ std::array<double, 2> otherSolution(const cell::Cell& cell,
   return other;
 }
 
+void addMeasures(const cell::Cell& cell,
+                 const cell::InverseSolution& solution,
+                 TrialResult& result) {
+  result.reachable = solution.reachable;
+  result.missing = solution.missing;
+  result.wrist = std::asin(std::min(marginSine(cell, solution.wristSine), 1.0));
+  result.elbow = std::asin(std::min(solution.elbowSine, 1.0));
+  result.shoulder = solution.axisDistance;
+}
+
 void addLimits(const cell::Cell& cell, TrialResult& result) {
   result.limitMargin = std::numeric_limits<double>::infinity();
   for (int j = 0; j < cell.jointCount(); ++j) {
-    const double margin = cell::limitMargin(cell.joint(j), result.joints(j));
+    double margin = cell::limitMargin(cell.joint(j), result.joints(j));
+    margin = cell.joint(j).prismatic() ? margin / kLengthPerRadian : margin;
     if (margin < result.limitMargin) {
       result.limitMargin = margin;
       result.limitJoint = j;
+    }
+  }
+  for (const cell::JointSum& sum : cell.sums) {
+    if (sumExcess(sum, result.joints) > 0.0) {
+      result.limitMargin = std::min(result.limitMargin, -sumExcess(sum, result.joints));
     }
   }
 }
@@ -76,7 +93,42 @@ Trial::Trial(const cell::Cell& cell,
              const MotionParams& params)
     : cell_(cell), collision_(collision), params_(params) {}
 
+/// The part on the other cell's table as its file places it.
+TrialResult Trial::inOther(const TrialPoint& point, const Change& change) const {
+  const cell::Cell& other = *cell_.other;
+  Pose T_part_tcp = point.T_part_tcp;
+  T_part_tcp.linear() =
+      T_part_tcp.linear() * Eigen::AngleAxisd(change.rotation, Vec3::UnitZ()).toRotationMatrix();
+  TrialResult result;
+  result.joints = cell::neutralJoints(other);
+  Pose flange = Pose::Identity();
+  if (other.partCarried()) {
+    flange = other.T_base_tcp * T_part_tcp.inverse() *
+             (other.T_flange_table * other.T_table_part).inverse();
+  } else {
+    const Vec3 up = point.point != nullptr ? point.point->up : Vec3(T_part_tcp.linear().col(2));
+    const cell::PositionerResult aligned =
+        cell::alignToVertical(other, up, positionerOf(other, result.joints));
+    const auto& values = aligned.solutions[change.positioner == 1 ? 1 : 0].joints;
+    for (int j = 0; j < other.positionerJoints(); ++j) {
+      result.joints(other.robotJoints() + j) = values[static_cast<std::size_t>(j)];
+    }
+    flange = cell::chainPose(other.positioner, values.data()) * other.T_table_part * T_part_tcp *
+             other.T_flange_tcp.inverse();
+  }
+  const cell::InverseSolution solution =
+      other.inverse->solve(flange, std::max(change.branch, 0), result.joints.data());
+  addMeasures(other, solution, result);
+  result.joints.head(other.robotJoints()) = solution.joints;
+  result.joints = cell::unwrapJoints(other, result.joints, cell::neutralJoints(other));
+  addLimits(other, result);
+  return result;
+}
+
 TrialResult Trial::at(const TrialPoint& point, const Change& change, bool withCollision) const {
+  if (change.other) {
+    return inOther(point, change);
+  }
   Pose T_part_tcp = point.T_part_tcp;
   if (point.point != nullptr && (change.lateral != 0.0 || change.lead != 0.0)) {
     T_part_tcp.linear() =
@@ -113,16 +165,14 @@ TrialResult Trial::at(const TrialPoint& point, const Change& change, bool withCo
     }
     flange = tcp * cell_.T_flange_tcp.inverse();
   }
-  const cell::Branch branch = change.branch >= 0 ? cell::Branch::fromIndex(change.branch)
-                                                 : cell::branchOf(*cell_.arm, point.joints.data());
-  const cell::IkSolution solution =
-      cell::inverseArm(*cell_.arm, flange, branch, point.joints.data());
+  const cell::InverseKinematics& inverse = *cell_.inverse;
+  const int branch = change.branch >= 0 ? change.branch : inverse.branchOf(point.joints.data());
+  // Where a branch is a start posture, the planned joints would lead back to themselves.
+  const bool elsewhere = change.branch >= 0 && isFollowed(cell_);
+  const cell::InverseSolution solution =
+      inverse.solve(flange, branch, elsewhere ? nullptr : point.joints.data());
   TrialResult result;
-  result.reachable = solution.reachable;
-  result.missing = solution.missing;
-  result.wrist = std::asin(std::min(solution.wristSine, 1.0));
-  result.elbow = std::asin(std::min(solution.elbowSine, 1.0));
-  result.shoulder = solution.axisDistance;
+  addMeasures(cell_, solution, result);
   result.joints = point.joints;
   for (int j = 0; j < cell_.robotJoints(); ++j) {
     result.joints(j) = cell::periodicJoint(cell_, j)

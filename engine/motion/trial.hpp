@@ -19,11 +19,13 @@ struct TrialPoint {
 
 /// What is changed at a trial.
 struct Change {
-  double rotation = 0.0;                            ///< about the tool axis, rad
-  double lateral = 0.0;                             ///< tilt, rad
-  double lead = 0.0;                                ///< rad
-  int branch = -1;                                  ///< −1: that of the planned joints
-  int positioner = 0;                               ///< 1: the positioner's other solution
+  double rotation = 0.0;  ///< about the tool axis, rad
+  double lateral = 0.0;   ///< tilt, rad
+  double lead = 0.0;      ///< rad
+  int branch = -1;        ///< −1: that of the planned joints
+  int positioner = 0;     ///< 1: the positioner's other solution
+  /// In the cell's other configuration: only rotation, branch and positioner count.
+  bool other = false;
   geometry::Vec3 onTable = geometry::Vec3::Zero();  ///< of the part, table frame, mm
   double turn = 0.0;                                ///< of the part about the table's z, rad
   geometry::Vec3 inBase = geometry::Vec3::Zero();   ///< of the positioner, base frame, mm
@@ -32,8 +34,9 @@ struct Change {
 /// What a position offers; margins are negative where it fails.
 struct TrialResult {
   bool reachable = false;
-  double missing = 0.0;      ///< of the wrist's reach, mm
-  double limitMargin = 0.0;  ///< smallest, rad; infinite when all joints are endless
+  double missing = 0.0;      ///< of the reach, mm
+  double limitMargin = 0.0;  ///< smallest, rad (of linear joints over kLengthPerRadian); infinite
+                             ///< when all joints are endless
   int limitJoint = -1;
   double wrist = 0.0;      ///< bend of the wrist, rad
   double elbow = 0.0;      ///< rad
@@ -45,7 +48,7 @@ struct TrialResult {
   [[nodiscard]] bool right(const MotionParams& params) const;
 };
 
-/// Tries positions with changes. Needs the closed form of the arm. Thread-safe.
+/// Tries positions with changes. Thread-safe.
 class Trial {
 public:
   Trial(const cell::Cell& cell,
@@ -57,7 +60,12 @@ public:
                                const Change& change,
                                bool withCollision) const;
 
+  /// Another configuration can be tried.
+  [[nodiscard]] bool hasOther() const { return cell_.other != nullptr; }
+
 private:
+  [[nodiscard]] TrialResult inOther(const TrialPoint& point, const Change& change) const;
+
   const cell::Cell& cell_;
   const collision::CellCollision* collision_;
   const MotionParams& params_;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace wcam::motion::detail {
@@ -17,6 +18,8 @@ namespace wcam::motion::detail {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
+/// Rounding of a sum that lies on its limit, rad.
+constexpr double kSumSlack = 1e-9;
 
 /// A joint over one run: its first and last value, least and greatest.
 struct Span {
@@ -55,12 +58,11 @@ std::vector<double> allowedShifts(const cell::Joint& joint, const Span& span) {
 }
 
 /// The chain of shifts with the least sum of squared moves, the first one counted from zero.
-std::vector<double> bestShifts(const cell::Joint& joint, const std::vector<Span>& spans) {
-  std::vector<std::vector<double>> options;
+std::vector<double> bestShifts(const std::vector<std::vector<double>>& options,
+                               const std::vector<Span>& spans) {
   std::vector<std::vector<std::size_t>> back(spans.size());
   std::vector<double> cost;
   for (std::size_t r = 0; r < spans.size(); ++r) {
-    options.push_back(allowedShifts(joint, spans[r]));
     std::vector<double> next(options[r].size(), std::numeric_limits<double>::infinity());
     back[r].assign(options[r].size(), 0);
     for (std::size_t k = 0; k < options[r].size(); ++k) {
@@ -116,6 +118,38 @@ std::vector<double> cableShifts(const CellModel& model,
   return shifts;
 }
 
+/// Keeps of a run's shifts those with which the sums that end with this joint stay inside their
+/// limits, where there are any: the joints before it have their turns already.
+void keepSums(const Cell& cell,
+              const std::vector<Waypoint>& points,
+              std::size_t begin,
+              std::size_t end,
+              int joint,
+              std::vector<double>& shifts) {
+  for (const cell::JointSum& sum : cell.sums) {
+    const auto last = std::find_if(sum.factors.rbegin(), sum.factors.rend(),
+                                   [](double factor) { return factor != 0.0; });
+    if (last == sum.factors.rend() || sum.factors.rend() - last - 1 != joint) {
+      continue;
+    }
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double value = sum.value(points[i].joints);
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    std::vector<double> kept;
+    std::copy_if(shifts.begin(), shifts.end(), std::back_inserter(kept), [&](double shift) {
+      const double moved = *last * shift;
+      return low + moved >= sum.min - kSumSlack && high + moved <= sum.max + kSumSlack;
+    });
+    if (!kept.empty()) {
+      shifts = std::move(kept);
+    }
+  }
+}
+
 }  // namespace
 
 void chooseTurns(const Task& task, Motion& motion, const JobContext& context) {
@@ -133,8 +167,13 @@ void chooseTurns(const Task& task, Motion& motion, const JobContext& context) {
     const cell::Joint& joint = cell.joint(j);
     std::vector<double> shifts;
     if (!joint.endless) {
-      shifts = bestShifts(joint, spans);
-    } else if (j == 5 && task.params.cableLimit.value() > 0.0) {
+      std::vector<std::vector<double>> options;
+      for (std::size_t r = 0; r < spans.size(); ++r) {
+        options.push_back(allowedShifts(joint, spans[r]));
+        keepSums(cell, points, task.runs.begins[r], task.runs.begins[r + 1], j, options.back());
+      }
+      shifts = bestShifts(options, spans);
+    } else if (cell.arm && j == 5 && task.params.cableLimit.value() > 0.0) {
       shifts = cableShifts(CellModel(cell), points, task.runs, task.params.cableZero.value());
     } else {
       shifts = nearestShifts(spans);

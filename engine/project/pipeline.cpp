@@ -354,6 +354,10 @@ Staged<cell::Cell> Pipeline::stageCell(const JobContext& context) const {
     // A missing mesh is told by the reader, with its place in the file.
     key.text(std::filesystem::exists(mesh) ? sha256OfFile(mesh) : std::string());
   }
+  if (const auto other =
+          cell::otherConfigurationFile(parseJson(text, pathText(file)), file.parent_path())) {
+    key.text(std::filesystem::exists(*other) ? sha256OfFile(*other) : std::string());
+  }
   return stage<cell::Cell>("cell", std::move(key), context,
                            [&](const JobContext& own) { return cell::loadCell(file, own); });
 }

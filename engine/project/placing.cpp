@@ -7,13 +7,15 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 
+#include <cmath>
 #include <set>
 
 namespace wcam::project {
 
 namespace {
 
-/// A place as named figures, in file units: the columns of both forms.
+/// A place as named figures, in file units: the columns of both forms. Infinite are those that the
+/// robot does not have (the distance to axis 1 of a Cartesian machine): null, or an empty cell.
 std::vector<std::pair<const char*, double>> figuresOf(const motion::PartPlace& place) {
   return {{"dx_mm", place.move.x()},
           {"dy_mm", place.move.y()},
@@ -83,7 +85,7 @@ Value toValue(const motion::PlacementMap& map) {
   for (const motion::PartPlace& place : map.places) {
     Value value = Value::object();
     for (const auto& [name, figure] : figuresOf(place)) {
-      value.set(name, figure);
+      value.set(name, std::isfinite(figure) ? Value(figure) : Value());
     }
     places.push(value.set("branch", place.branch));
   }
@@ -98,7 +100,7 @@ std::string toCsv(const motion::PlacementMap& map) {
   text += "branch\n";
   for (const motion::PartPlace& place : map.places) {
     for (const auto& [name, figure] : figuresOf(place)) {
-      text += formatFixed(figure, 6) + ",";
+      text += (std::isfinite(figure) ? formatFixed(figure, 6) : std::string()) + ",";
     }
     text += place.branch + "\n";
   }

@@ -42,9 +42,9 @@ TEST_F(EditVerb, AddsListsChangesMovesAndRemoves) {
                 .exitCode,
             0);
   EXPECT_EQ(toCompactJson(edits()),
-            R"([{"id":"slow","type":"set_speed","enabled":false,"params":{"factor":0.5,)"
-            R"("region":"sphere","centre":[10.0,0.0,0.0]}},)"
-            R"({"id":"pause","type":"pause","params":{"time":30.0,"first_layer":-1}}])");
+            R"([{"id": "slow", "type": "set_speed", "enabled": false, "params": {"factor": 0.5, )"
+            R"("region": "sphere", "centre": [10.0, 0.0, 0.0]}}, )"
+            R"({"id": "pause", "type": "pause", "params": {"time": 30.0, "first_layer": -1}}])");
   const ProcessResult list = edit({"list", project_, "planar", "--json"});
   EXPECT_EQ(parseJson(list.out).at("edits").size(), 2U);
   EXPECT_THAT(edit({"list", project_}).out, HasSubstr("planar  slow  set_speed  (disabled)"));
@@ -54,8 +54,9 @@ TEST_F(EditVerb, AddsListsChangesMovesAndRemoves) {
             0);
   EXPECT_EQ(edit({"move", project_, "planar", "slow", "1"}).exitCode, 0);
   EXPECT_EQ(edit({"remove", project_, "planar", "pause"}).exitCode, 0);
-  EXPECT_EQ(toCompactJson(edits()),
-            R"([{"id":"slow","type":"set_speed","params":{"factor":0.7,"region":"sphere"}}])");
+  EXPECT_EQ(
+      toCompactJson(edits()),
+      R"([{"id": "slow", "type": "set_speed", "params": {"factor": 0.7, "region": "sphere"}}])");
   EXPECT_EQ(edit({"add", project_, "planar", "set_speed"}).exitCode, 0);
   EXPECT_EQ(edits().asArray()[1].at("id").asString(), "set_speed");
   EXPECT_EQ(edit({"add", project_, "planar", "set_speed"}).exitCode, 0);
@@ -96,7 +97,7 @@ TEST_F(EditVerb, ApplyTakesTheSameCommands) {
       R"({"command": "edit.set", "args": {"operation": "planar", "id": "r", "enabled": false}})"
       "\n");
   EXPECT_EQ(camcli({"apply", project_, "log.jsonl"}).exitCode, 0);
-  EXPECT_EQ(toCompactJson(edits()), R"([{"id":"r","type":"reverse","enabled":false}])");
+  EXPECT_EQ(toCompactJson(edits()), R"([{"id": "r", "type": "reverse", "enabled": false}])");
 }
 
 TEST_F(EditVerb, TypesAndSchemas) {

@@ -72,7 +72,8 @@ TEST_F(EditsInTheWindow, AreAddedFromTheListAndShapedInTheForm) {
   set("params", "first_layer", Value(4));
   set("params", "last_layer", Value(4));
   ASSERT_TRUE(waitSettled(window));
-  EXPECT_EQ(toCompactJson(edits()[0].params), R"({"time":12.5,"first_layer":4,"last_layer":4})");
+  EXPECT_EQ(toCompactJson(edits()[0].params),
+            R"({"time": 12.5, "first_layer": 4, "last_layer": 4})");
   double pauses = 0.0;
   for (const motion::Waypoint& point :
        window.viewState().path()->result().motion->motion.waypoints) {
@@ -169,7 +170,7 @@ TEST_F(EditsInTheWindow, TheLayersThatAreShownAreEdited) {
   emit slider->customContextMenuRequested({5, 5});
   EXPECT_TRUE(met);
   ASSERT_EQ(edits().size(), 1U);
-  EXPECT_EQ(toCompactJson(edits()[0].params), R"({"first_layer":3,"last_layer":5})");
+  EXPECT_EQ(toCompactJson(edits()[0].params), R"({"first_layer": 3, "last_layer": 5})");
   EXPECT_EQ(window.viewState().lower(), 3);
   // The right button opens the menu and leaves the layers alone.
   QTest::mousePress(slider, Qt::RightButton, {}, QPoint(10, slider->height() - 4));

@@ -9,6 +9,7 @@
 #include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/unwrap.hpp"
 
+#include "annex_seven.hpp"
 #include "cells.hpp"
 #include <gtest/gtest.h>
 
@@ -19,9 +20,6 @@ namespace wcam::cell {
 namespace {
 
 using test::degrees;
-
-constexpr double kX0 = 3006.54;  ///< offsets of the listing, mm
-constexpr double kZ0 = 3012.37;
 
 /// Joints of the 7-axis machine from mm and degrees.
 JointVector machine(double x, double y, double z, double c1, double a, double c2) {
@@ -127,94 +125,16 @@ TEST(SevenAxes, chainIsTheClosedForm) {
   }
 }
 
-struct ListingRow {
-  double x, y, z, c1, a, c2, b;
-  Vec3 p, n, t;
-};
-
-/// Rows of Annex 7 with the part data that the method page derives from them.
-std::vector<ListingRow> listing() {
-  return {{-2343.62,
-           -122.214,
-           -1103.5,
-           127.96,
-           36.2141,
-           13.6491,
-           34.8537,
-           {922.3, -429.3, 853.1},
-           {0.8433, 0.3634, 0.3959},
-           {-0.0601, -0.6683, 0.7414}},
-          {-2241.58,
-           -286.85,
-           -1029.77,
-           124.754,
-           35.0959,
-           15.1764,
-           26.0875,
-           {896.3, -563.8, 998.8},
-           {0.7840, 0.3278, 0.5271},
-           {-0.2046, -0.6652, 0.7180}},
-          {-2147.56,
-           -448.257,
-           -972.068,
-           121.596,
-           34.1306,
-           17.1607,
-           17.7524,
-           {842.3, -696.7, 1138.2},
-           {0.7075, 0.2940, 0.6426},
-           {-0.3309, -0.6657, 0.6688}},
-          {-2104.79,
-           -528.781,
-           -948.101,
-           120.051,
-           33.7037,
-           18.5141,
-           13.8142,
-           {806.6, -763.6, 1203.5},
-           {0.6651, 0.2779, 0.6932},
-           {-0.3830, -0.6699, 0.6360}},
-          {-2045.65,
-           -649.172,
-           -917.328,
-           117.814,
-           33.1351,
-           20.4758,
-           8.16395,
-           {743.8, -864.7, 1295.0},
-           {0.5975, 0.2551, 0.7602},
-           {-0.4525, -0.6754, 0.5822}},
-          {-1974.28,
-           -808.641,
-           -885.061,
-           115.012,
-           32.5012,
-           22.931,
-           0.990747,
-           {645.2, -1000.6, 1403.7},
-           {0.5014, 0.2272, 0.8348},
-           {-0.5305, -0.6815, 0.5041}},
-          {-1925.11,
-           -927.29,
-           -866.98,
-           113.065,
-           32.1088,
-           24.6399,
-           -4.19602,
-           {561.8, -1103.3, 1474.7},
-           {0.4258, 0.2082, 0.8806},
-           {-0.5789, -0.6852, 0.4420}}};
-}
-
 TEST(SevenAxes, listingOfAnnexSeven) {
   const Cell cell = test::shippedCell("debout_7axis");
-  for (const ListingRow& row : listing()) {
+  for (const wcam::test::AnnexSevenRow& row : wcam::test::kAnnexSeven) {
     // The listing counts B the other way.
-    const InverseSolution s = cell.inverse->solve(flangeAt(row.p, row.n, row.t, -row.b), 0);
+    const InverseSolution s =
+        cell.inverse->solve(flangeAt(Vec3(row.p), Vec3(row.n), Vec3(row.t), -row.b), 0);
     ASSERT_TRUE(s.reachable);
-    EXPECT_NEAR(s.joints(0) - kX0, row.x, 0.25);
+    EXPECT_NEAR(s.joints(0) - wcam::test::kAnnexSevenX, row.x, 0.25);
     EXPECT_NEAR(s.joints(1), row.y, 0.25);
-    EXPECT_NEAR(s.joints(2) - kZ0, row.z, 0.25);
+    EXPECT_NEAR(s.joints(2) - wcam::test::kAnnexSevenZ, row.z, 0.25);
     EXPECT_NEAR(radToDeg(s.joints(3)), row.c1, 0.02);
     EXPECT_NEAR(radToDeg(s.joints(4)), row.a, 0.02);
     EXPECT_NEAR(radToDeg(s.joints(5)), row.c2, 0.02);
@@ -232,20 +152,22 @@ TEST(SevenAxes, rowTenAtOtherAnglesOfTheTable) {
   const Vec3 p(806.588, -763.587, 1203.517);
   const Vec3 n(0.665056, 0.277877, 0.693170);
   const Vec3 t(-0.383021, -0.669894, 0.636032);
-  const double rows[][6] = {{-13.8142, 120.0510, 33.7037, 18.5141, -2104.79, -948.10},
-                            {-73.8142, -120.0510, 33.7037, -110.0832, -4343.38, -1199.30},
-                            {-3.8297, 114.2357, 42.6047, 25.8832, -1760.54, -1135.71},
-                            {0, 112.6764, 46.1184, 28.0632, -1637.98, -1223.12},
-                            {-11.0571, 118.1297, 36.1134, 20.8564, 1000.0 - kX0, 2018.504 - kZ0}};
+  const double rows[][6] = {
+      {-13.8142, 120.0510, 33.7037, 18.5141, -2104.79, -948.10},
+      {-73.8142, -120.0510, 33.7037, -110.0832, -4343.38, -1199.30},
+      {-3.8297, 114.2357, 42.6047, 25.8832, -1760.54, -1135.71},
+      {0, 112.6764, 46.1184, 28.0632, -1637.98, -1223.12},
+      {-11.0571, 118.1297, 36.1134, 20.8564, 1000.0 - wcam::test::kAnnexSevenX,
+       2018.504 - wcam::test::kAnnexSevenZ}};
   for (const auto& row : rows) {
     const InverseSolution s = cell.inverse->solve(flangeAt(p, n, t, row[0]), 0);
     ASSERT_TRUE(s.reachable);
     EXPECT_NEAR(radToDeg(s.joints(3)), row[1], 1e-3);
     EXPECT_NEAR(radToDeg(s.joints(4)), row[2], 1e-3);
     EXPECT_NEAR(radToDeg(s.joints(5)), row[3], 1e-3);
-    EXPECT_NEAR(s.joints(0) - kX0, row[4], 0.02);
+    EXPECT_NEAR(s.joints(0) - wcam::test::kAnnexSevenX, row[4], 0.02);
     EXPECT_NEAR(s.joints(1), -528.781, 0.02);
-    EXPECT_NEAR(s.joints(2) - kZ0, row[5], 0.02);
+    EXPECT_NEAR(s.joints(2) - wcam::test::kAnnexSevenZ, row[5], 0.02);
   }
 }
 

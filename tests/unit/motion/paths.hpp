@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace wcam::motion::test {
 
@@ -117,6 +118,40 @@ inline toolpath::Toolpath circleFrom(
   path.layers.emplace_back();
   path.layers[0].beads.push_back(std::move(bead));
   return path;
+}
+
+/// Speed of polylines, mm/s.
+inline constexpr double kSpeed = 10.0;
+
+/// A bead of straight lines on the plate, with points every `step` mm.
+inline toolpath::Toolpath polyline(const std::vector<Vec3>& corners, double step) {
+  toolpath::Toolpath path;
+  toolpath::Layer layer;
+  toolpath::Bead bead;
+  const auto add = [&bead](const Vec3& p) {
+    toolpath::PathPoint point;
+    point.p = p;
+    point.axis = Vec3::UnitZ();
+    point.up = Vec3::UnitZ();
+    point.speed = kSpeed;
+    point.wireSpeed = 80.0;
+    bead.points.push_back(point);
+  };
+  add(corners.front());
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const Vec3 way = corners[k] - corners[k - 1];
+    const int pieces = std::max(1, static_cast<int>(std::lround(way.norm() / step)));
+    for (int i = 1; i <= pieces; ++i) {
+      add(corners[k - 1] + way * (static_cast<double>(i) / pieces));
+    }
+  }
+  layer.beads.push_back(bead);
+  path.layers.push_back(layer);
+  return path;
+}
+
+inline std::vector<Vec3> square(double half) {
+  return {{half, -half, 2}, {half, half, 2}, {-half, half, 2}, {-half, -half, 2}, {half, -half, 2}};
 }
 
 }  // namespace wcam::motion::test

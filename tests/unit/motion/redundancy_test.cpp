@@ -98,7 +98,7 @@ TEST(Hemisphere, followingTheLayerKeepsFiveJointsConstant) {
   const MotionParams params;
   const Task task = taskOf(path, cell, params);
   Resolution resolution;
-  resolution.branches.assign(task.runs.count(), cell::Branch::fromIndex(0));
+  resolution.branches.assign(task.runs.count(), 0);
   for (const detail::Target& target : task.targets) {
     FreeChoice choice;
     choice.torchRotation = -std::atan2(target.p.y(), target.p.x()) + 0.3;

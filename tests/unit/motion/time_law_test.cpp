@@ -6,7 +6,6 @@
 #include "wcam/cell/kinematics.hpp"
 #include "wcam/motion/plan.hpp"
 #include "wcam/motion/reversals.hpp"
-#include "wcam/motion/trace.hpp"
 
 #include "paths.hpp"
 #include <gtest/gtest.h>
@@ -17,61 +16,17 @@
 namespace wcam::motion {
 namespace {
 
+using geometry::Vec3;
+using test::kSpeed;
+using test::polyline;
 using test::shippedCell;
-
-constexpr double kSpeed = 10.0;
-
-/// A bead of straight lines on the plate, with points every `step` mm.
-toolpath::Toolpath polyline(const std::vector<Vec3>& corners, double step) {
-  toolpath::Toolpath path;
-  toolpath::Layer layer;
-  toolpath::Bead bead;
-  const auto add = [&bead](const Vec3& p) {
-    toolpath::PathPoint point;
-    point.p = p;
-    point.axis = Vec3::UnitZ();
-    point.up = Vec3::UnitZ();
-    point.speed = kSpeed;
-    point.wireSpeed = 80.0;
-    bead.points.push_back(point);
-  };
-  add(corners.front());
-  for (std::size_t k = 1; k < corners.size(); ++k) {
-    const Vec3 way = corners[k] - corners[k - 1];
-    const int pieces = std::max(1, static_cast<int>(std::lround(way.norm() / step)));
-    for (int i = 1; i <= pieces; ++i) {
-      add(corners[k - 1] + way * (static_cast<double>(i) / pieces));
-    }
-  }
-  layer.beads.push_back(bead);
-  path.layers.push_back(layer);
-  return path;
-}
-
-std::vector<Vec3> square(double half) {
-  return {{half, -half, 2}, {half, half, 2}, {-half, half, 2}, {-half, -half, 2}, {half, -half, 2}};
-}
+using test::square;
 
 PlannedMotion plan(const toolpath::Toolpath& path,
                    const cell::Cell& cell,
                    const MotionParams& params,
                    const JobContext& context = JobContext()) {
   return planMotion(path, cell, params, "op", context);
-}
-
-TEST(TimeLaw, squareAtTheWantedSpeedWhenLengthIsTheMaster) {
-  const cell::Cell cell = shippedCell("yaskawa_ma1440_mt250");
-  const PlannedMotion planned = plan(polyline(square(50), 1.0), cell, {});
-  double least = 1e9;
-  double most = 0.0;
-  for (const Waypoint& w : planned.motion.waypoints) {
-    if (w.arc) {
-      least = std::min(least, w.tcpSpeed / kSpeed);
-      most = std::max(most, w.tcpSpeed / kSpeed);
-    }
-  }
-  EXPECT_NEAR(least, 1.0, 1e-3);
-  EXPECT_NEAR(most, 1.0, 1e-3);
 }
 
 TEST(TimeLaw, neverFasterThanWantedWithAccelerations) {
@@ -221,95 +176,6 @@ TEST(TimeLaw, wireFollowsTheSpeedDownToItsLeast) {
   }
 }
 
-/// Joints of the Yaskawa whose table turns at constant speed below a side of a square bead
-/// (article, C:393-398 and M46): the torch stays in the plane of the table's axis.
-class TableDriven {
-public:
-  TableDriven() : cell_(shippedCell("yaskawa_ma1440_mt250")) {
-    cell_.T_table_part.linear().setIdentity();
-    cell_.T_table_part.translation() = Vec3(0, 0, 45.953);
-  }
-
-  [[nodiscard]] const cell::Cell& cell() const { return cell_; }
-
-  /// The side x = half, at the polar angle phi of the part.
-  cell::JointVector at(double phi, double half) {
-    cell::JointVector q = cell::JointVector::Zero(8);
-    q(7) = -phi;
-    const geometry::Pose T_base_part = cell::T_base_part(cell_, q);
-    const Vec3 p(half, half * std::tan(phi), 2);
-    const cell::InverseSolution s =
-        cell::solveTool(cell_, T_base_part * p, Vec3::UnitZ(), 0.0, 0, seed_.data());
-    EXPECT_TRUE(s.reachable);
-    q.head(6) = s.joints;
-    seed_ = s.joints;
-    return q;
-  }
-
-private:
-  cell::Cell cell_;
-  cell::JointVector seed_ = cell::JointVector::Zero(6);
-};
-
-TEST(TimeLaw, tableAtConstantSpeedDoublesTheSpeedAtTheCorners) {
-  TableDriven scheme;
-  constexpr double half = 50;
-  constexpr double turning = 0.2;  // rad/s: 10 mm/s in the middle of a side
-  constexpr int samples = 400;
-  constexpr double h = 1e-4;
-  MotorTrace motors;
-  cell::JointVector initial;
-  for (int i = 0; i <= samples; ++i) {
-    const double phi = -kPi / 4 + kPi / 2 * i / samples;
-    const cell::JointVector low = scheme.at(phi - h, half);
-    const cell::JointVector high = scheme.at(phi + h, half);
-    cell::JointVector rpm = (high - low) / (2 * h) * turning;
-    for (int j = 0; j < 8; ++j) {
-      rpm(j) *= scheme.cell().joint(j).ratio * 60 / (2 * kPi);
-    }
-    motors.time.push_back((phi + kPi / 4) / turning);
-    motors.rpm.push_back(rpm);
-    if (i == 0) {
-      initial = scheme.at(phi, half);
-    }
-  }
-  const TcpTrace trace = reconstructTcp(motors, scheme.cell(), initial);
-  EXPECT_NEAR(trace.speed[samples / 2], kSpeed, 1e-3);
-  EXPECT_NEAR(trace.speed.front() / trace.speed[samples / 2], 2.0, 1e-3);
-  EXPECT_NEAR(trace.speed.back() / trace.speed[samples / 2], 2.0, 1e-3);
-  EXPECT_LE((trace.position.back() - Vec3(half, half, 2)).norm(), 0.02);
-  // The recording shows it: peaks at both ends, nothing else.
-  const TraceSummary summary = summarise(trace, kSpeed, 0.05);
-  ASSERT_EQ(summary.events.size(), 2U);
-  EXPECT_TRUE(summary.events[0].peak && summary.events[0].atStart);
-  EXPECT_TRUE(summary.events[1].peak && summary.events[1].atEnd);
-  EXPECT_NEAR(summary.maxSpeed / summary.minSpeed, 2.0, 1e-3);
-}
-
-/// AT-61: an abrupt change of direction in a bead. The axis that leads goes through the corner;
-/// with the length as master the torch slows down there and is never too fast.
-TEST(TimeLaw, abruptChangeOfDirectionDipsAndNeverPeaks) {
-  const cell::Cell cell = shippedCell("yaskawa_ma1440_mt250");
-  MotionParams params;
-  params.accelerationTime = 0.3;
-  params.cornerRadius = Length(0.2);
-  JobContext context;
-  const PlannedMotion planned =
-      plan(polyline({{-40, 30, 2}, {0, 0, 2}, {40, 30, 2}}, 1.0), cell, params, context);
-  double most = 0.0;
-  double least = 1e9;
-  for (const Waypoint& w : planned.motion.waypoints) {
-    if (w.arc) {
-      most = std::max(most, w.tcpSpeed);
-      if (w.point > 10 && w.point < 90) {
-        least = std::min(least, w.tcpSpeed);
-      }
-    }
-  }
-  EXPECT_LE(most, 1.001 * kSpeed);
-  EXPECT_GT(least, 0.0);
-}
-
 TEST(TimeLaw, machinesWithTheirOwnAccelerations) {
   const cell::Cell cell = shippedCell("debout_5axis");
   Motion motion;
@@ -401,6 +267,53 @@ TEST(Reversals, atTheExtremesOfASinusoid) {
       }
     }
     EXPECT_EQ(own.size(), 4U) << joint;
+  }
+}
+
+/// AT-41, the coupon (Carrière E6): the height has extremes of +5 mm at 5.1 s and −7.7 mm at 11.6 s
+/// of 13 s; the tool moves in the plane of Y and Z, the platter gives the feed. Joints 2 and 3 turn
+/// round there, to one sample of 32 ms.
+TEST(Reversals, onTheCoupon) {
+  const cell::Cell cell = shippedCell("kuka_kr360_platter");
+  constexpr double kSample = 0.032;
+  const auto height = [](double t) {
+    const auto half = [](double from, double to, double s) {
+      return from + (to - from) * 0.5 * (1.0 - std::cos(kPi * s));
+    };
+    return t < 5.1    ? half(0.0, 5.0, t / 5.1)
+           : t < 11.6 ? half(5.0, -7.7, (t - 5.1) / 6.5)
+                      : half(-7.7, 0.0, (t - 11.6) / 5.0);
+  };
+  const geometry::Pose table = cell::T_base_table(cell, cell::JointVector::Zero(cell.jointCount()));
+  const Vec3 up = cell.verticalInBase();
+  const Vec3 across = up.cross(table.translation()).normalized();
+  Motion motion;
+  cell::JointVector seed = cell::JointVector::Zero(6);
+  for (int i = 0; i * kSample <= 13.0; ++i) {
+    Waypoint w;
+    w.time = i * kSample;
+    w.joints = cell::JointVector::Zero(cell.jointCount());
+    w.joints(6) = 0.02 * w.time;
+    // Over the axis of the platter, across the robot's plane.
+    const Vec3 p =
+        table.translation() + (-20.0 + 3.0 * w.time) * across + (60.0 + height(w.time)) * up;
+    const cell::InverseSolution s = cell::solveTool(cell, p, up, 0.0, 0, seed.data());
+    ASSERT_TRUE(s.reachable);
+    w.joints.head(6) = seed = s.joints;
+    motion.waypoints.push_back(w);
+  }
+  const std::vector<Reversal> reversals = jointReversals(motion, cell);
+  for (const int joint : {1, 2}) {
+    std::vector<double> times;
+    for (const Reversal& reversal : reversals) {
+      // The start from rest is none of the two.
+      if (reversal.joint == joint && reversal.time > 1.0) {
+        times.push_back(reversal.time);
+      }
+    }
+    ASSERT_EQ(times.size(), 2U) << joint;
+    EXPECT_NEAR(times[0], 5.1, kSample) << joint;
+    EXPECT_NEAR(times[1], 11.6, kSample) << joint;
   }
 }
 

@@ -103,6 +103,20 @@ TEST(ApplyProcess, SpeedsAreClampedToTheWindowWithAFinding) {
   EXPECT_NEAR(s.wireLength, params.wireSpeed.value() * s.time, 1e-6);
 }
 
+TEST(ApplyProcess, WireSpeedOutsideItsRangeIsNamed) {
+  const ParamSchema& schema = ProcessParams::schema().params();
+  for (const double metresPerMinute : {0.0, -2.0, 0.04, 61.0, 1e300}) {
+    try {
+      (void)schema.complete(Value::object({{"wire_speed", metresPerMinute}}), "process 'p'");
+      FAIL() << metresPerMinute;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("wire_speed"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("process 'p'"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_NO_THROW((void)schema.complete(Value::object({{"wire_speed", 8.0}}), "process 'p'"));
+}
+
 TEST(ApplyProcess, ContradictoryWindowsAreRefused) {
   ProcessParams params;
   params.speedMin = 30.0_mm_s;

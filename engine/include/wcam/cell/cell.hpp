@@ -73,6 +73,9 @@ struct Cell {
   std::vector<JointSum> sums;
   std::vector<ZeroConvention> zeroConventions;
 
+  /// The same robot in the other configuration, where the file names one (its own `other` is null).
+  std::shared_ptr<const Cell> other;
+
   CellShapes shapes;  ///< what can collide
   Value source;       ///< the file's content with everything that is not read here
 
@@ -104,6 +107,10 @@ Cell cellFromValue(const Value& value,
                    const std::string& contextName,
                    const JobContext& context = JobContext(),
                    const std::filesystem::path& folder = {});
+
+/// The file that a cell file names as its other configuration, resolved against its folder.
+std::optional<std::filesystem::path> otherConfigurationFile(const Value& file,
+                                                            const std::filesystem::path& folder);
 
 /// Finds cell.arm and cell.inverse from the axes of cell.robot. Called by the loaders; call it
 /// again after changing the chain or the tool.

@@ -5,6 +5,7 @@
 #include "wcam/cell/cell.hpp"
 
 #include <limits>
+#include <span>
 #include <string>
 
 namespace wcam::cell {
@@ -26,6 +27,13 @@ struct InverseSolution {
   bool wristSingular = false;     ///< orientation axes in line: the first kept from the seed
   bool elbowSingular = false;     ///< both elbow branches are the same
   bool shoulderSingular = false;  ///< axis 1 kept from the seed
+};
+
+/// How far a posture is from the singularities of its robot, as in InverseSolution.
+struct SingularityMeasures {
+  double wristSine = 1.0;
+  double elbowSine = 1.0;
+  double axisDistance = std::numeric_limits<double>::infinity();
 };
 
 enum class InverseMethod {
@@ -59,10 +67,22 @@ public:
   [[nodiscard]] virtual bool freeRotation() const { return joints() >= 6; }
 
   /// @param seed joint values (robot, may be null) that decide what a singularity leaves open, and
-  /// from which a search starts
+  /// from which a search starts: the numeric method keeps the solution that they lead to, also
+  /// outside the limits, so that a path is followed without jumps
   [[nodiscard]] virtual InverseSolution solve(const Pose& T_base_flange,
                                               int branch,
                                               const double* seed = nullptr) const = 0;
+
+  /// All branches at once, cheaper than one by one where the method can.
+  /// @param solutions branches() of them
+  virtual void solveAll(const Pose& T_base_flange,
+                        std::span<InverseSolution> solutions,
+                        const double* seed = nullptr) const;
+
+  /// The measures of given joint values (robot).
+  [[nodiscard]] virtual SingularityMeasures measures(const double* q) const = 0;
+
+  static constexpr int kMostBranches = 8;
 };
 
 /// Flange pose that puts the tool on a point with its axis (unit, towards the torch) along `axis`,

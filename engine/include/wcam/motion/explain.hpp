@@ -14,7 +14,8 @@ namespace wcam::motion {
 /// the worst point of the bead, the smallest first, and those that put it right are tried at points
 /// spread over the bead. In this order: another rotation about the torch; another configuration of
 /// the arm; the positioner's other solution; a lead or lateral tilt within the tolerances; the part
-/// moved or turned on its table; the positioner moved in the base.
+/// moved or turned on its table; the positioner moved in the base; the cell's other configuration
+/// (part carried instead of torch carried, or the other way round; Cell::other).
 ///
 /// "Right" means reachable, inside the limits, outside the singularity margins of `params`, and
 /// free by the model (when there is one). The remedy tells the change with its figure and for how
@@ -22,7 +23,8 @@ namespace wcam::motion {
 /// Positions between the points, joint steps and speeds are not looked at: the next planning does
 /// that.
 ///
-/// The worst kExplained findings are explained; each costs about 1 to 30 ms.
+/// The worst kExplained findings are explained (a sixth of them where the inverse kinematics are
+/// numeric); each costs about 1 to 30 ms.
 /// @param path that the motion follows
 /// @param collision may be null
 std::vector<Diagnostic> explainFindings(std::vector<Diagnostic> findings,

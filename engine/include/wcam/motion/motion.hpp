@@ -51,7 +51,7 @@ struct Motion {
   std::vector<Waypoint> waypoints;
 };
 
-/// What one joint does over an operation; rad.
+/// What one joint does over an operation; rad, or mm.
 struct JointStatistics {
   double min = 0.0;
   double max = 0.0;
@@ -80,7 +80,8 @@ struct MotionStatistics {
       0.0;  ///< angle between a point's up and the vertical, torch carried, rad
   std::size_t unreachableWaypoints = 0;
   std::vector<Reversal> reversals;  ///< of all joints, in order
-  std::string branch;  ///< "NUT" …, see cell::Branch; "NUT/FUT" when it changes between beads
+  std::string branch;  ///< cell::InverseKinematics::branchName: "NUT" …, "A+" …; "NUT/FUT" when
+                       ///< it changes between beads
   std::string mode;    ///< the redundancy mode that made the motion, see RedundancyMode
   double maxCableTwist = 0.0;  ///< greatest |J4 + J6| from the cable's zero while on beads, rad
   double maxTilt = 0.0;        ///< greatest lead and lateral tilt added to the toolpath's axis, rad

@@ -9,7 +9,8 @@
 namespace wcam::motion {
 
 /// What a joint motion can be good at; each is a cost, smaller is better. Sums run over the steps
-/// inside beads, means over their points; "wanted speed" is the toolpath's.
+/// inside beads, means over their points; "wanted speed" is the toolpath's. Steps and strokes of
+/// linear joints count in mm as those of rotary ones do in degrees.
 enum class Objective {
   Motion,  ///< Σ γ_j Δq_j² of the robot's joints in degrees, γ_j = 1/stroke, endless 0 (Chalvin
            ///< Eq. 4.3)
@@ -37,8 +38,8 @@ const char* objectiveKey(Objective objective);
 
 /// What no motion may break.
 enum class Constraint {
-  Reach,        ///< the wrist centre in the arm's range
-  Limits,       ///< joint limits
+  Reach,        ///< the robot can take the pose
+  Limits,       ///< limits of joints and of sums of joints
   Collision,    ///< clearance (collision::Clearance) not negative
   Speed,        ///< joint speeds at the wanted speed
   Dexterity,    ///< minDexterity

@@ -30,13 +30,13 @@ struct PartPlace {
   double turn = 0.0;                             ///< rad, about the part's z, before the move
   std::size_t failing = 0;     ///< points out of reach, outside limits or margins, or colliding
   double reachMissing = 0.0;   ///< greatest, mm
-  double limitMargin = 0.0;    ///< smallest to a joint limit, rad; negative outside
+  double limitMargin = 0.0;    ///< smallest to a joint limit, rad, or mm/100; negative outside
   double wristBend = 0.0;      ///< smallest, rad
   double elbowBend = 0.0;      ///< smallest, rad: also the margin of reach
   double axisDistance = 0.0;   ///< smallest of the wrist centre to axis 1, mm
   double dexterity = 0.0;      ///< smallest
   double clearance = 0.0;      ///< smallest less the safety distance, mm
-  std::string branch;          ///< "NUT" …
+  std::string branch;          ///< cell::InverseKinematics::branchName
   double torchRotation = 0.0;  ///< rad
   /// Smallest of the margins, each against what is comfortable (1): 30° to limits and
   /// singularities, 200 mm from axis 1, 0.3 of dexterity and 20 mm of clearance more than the

@@ -14,7 +14,8 @@
 
 namespace wcam::motion {
 
-/// Branch of the arm for a whole operation: automatic, or fixed (cell::Branch in the same order).
+/// Branch of an arm for a whole operation: automatic, or fixed (cell::Branch in the same order).
+/// Robots that are no arms have branches of their own, see cell::InverseKinematics: automatic only.
 enum class BranchChoice { Auto, Nut, Nub, Ndt, Ndb, Fut, Fub, Fdt, Fdb };
 
 /// How the torch comes from the end of a bead to the start of the next one.
@@ -112,14 +113,18 @@ ObjectiveValues ownObjective(RedundancyMode mode);
 ///
 /// Findings: motion.unreachable, motion.joint_limit (violations), motion.singularity,
 /// motion.joint_step, motion.speed_limited, motion.low_dexterity, motion.not_vertical,
-/// motion.cable_twist (warnings), motion.configuration_change (information: full turns taken back
-/// between beads). One per bead and cause, with the worst value and the number of points.
+/// motion.cable_twist, motion.tilt (warnings), motion.configuration_change (information: full turns
+/// taken back between beads). One per bead and cause, with the worst value and number of points.
+///
+/// Any robot (Cell::inverse). One that cannot turn about the tool axis takes the rotation that goes
+/// with its joints; one without a closed form is followed from point to point, without graph
+/// search.
 ///
 /// A toolpath without points gives an empty motion. Independent of the number of threads. About 5
-/// µs per point, optimized 100 µs.
+/// µs per point, optimized 100 µs; without a closed form some ms.
 /// @param clearance of the operation, may be null: collisions are not looked at
-/// @throws Error(JobFailed) when the cell's robot has no closed-form inverse kinematics, or lacks
-/// the positioner axes that the mode drives
+/// @throws Error(JobFailed) when the cell lacks the positioner axes that the mode drives, or the
+/// parameters name a branch of an arm and the robot is none
 PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& params,
