@@ -261,6 +261,16 @@ void readOther(Reader& reader,
   if (!other || folder.empty()) {
     return;  // a value without a place has no files beside it
   }
+  if (!std::filesystem::exists(*other)) {
+    // A cell that was copied alone works; only one remedy fewer is tried.
+    context.add({Severity::Information,
+                 "cell.other_configuration_missing",
+                 "the cell's other_configuration " + pathText(*other) + " does not exist",
+                 "copy it beside the cell file, or remove the key",
+                 {},
+                 {}});
+    return;
+  }
   try {
     const std::string name = pathText(*other);
     cell.other = std::make_shared<const Cell>(

@@ -397,6 +397,7 @@ TEST(Explain, limitIsCuredByARotationAboutTheTorch) {
 TEST(Explain, nothingHelpsIsSaid) {
   cell::Cell cell = straightNozzle();
   cell.positioner.T_root_first.translation() += Vec3(9000, 0, 0);
+  cell.other.reset();
   JobContext context;
   planCheckedMotion(circles(1, 20.0, 12, Vec3::Zero()), cell, nullptr, MotionParams(), "op",
                     context);

@@ -277,19 +277,6 @@ TEST(PlanMotion, emptyToolpath) {
   EXPECT_EQ(context.diagnostics().items().size(), 0U);
 }
 
-TEST(PlanMotion, aRobotWithoutClosedFormIsRefused) {
-  cell::Cell cell = shippedCell("fanuc_arcmate120ic");
-  cell.robot.joints[4].d = 2;
-  cell::prepareArm(cell);
-  try {
-    planMotion(circles(1, 10, 10, geometry::Vec3::Zero()), cell, {}, "op", JobContext());
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::JobFailed);
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("not spherical"));
-  }
-}
-
 TEST(PlanMotion, cancel) {
   const cell::Cell cell = shippedCell("fanuc_arcmate120ic");
   std::stop_source stop;
