@@ -34,22 +34,30 @@ constexpr int kRotations = 12;
 constexpr double kTiltUsed = 0.95;
 /// Searches with newly found collisions at most; each finds those of the path before.
 constexpr int kCollisionRounds = 12;
+/// States that a search compares with the cell at most, some 30 µs each: where nearly everything
+/// collides, more of them find no way either.
+constexpr std::size_t kMostCollisionStates = 100000;
 /// Cost of a colliding state: below a state outside limits, above a singular one; and per
 /// kDepthUnit (mm) of depth.
 constexpr float kCollisionCost = 5e3F;
 constexpr float kDepthUnit = 10.0F;
 
-/// Clearance of all states of a rung as costs.
+/// Clearance of the states of a rung that come into question as costs; `lookedAt` counts them.
 std::vector<float> collisionCosts(const Task& task,
                                   const SearchFrame& frame,
                                   const Rung& rung,
-                                  const collision::Clearance& clearance) {
+                                  const collision::Clearance& clearance,
+                                  std::size_t& lookedAt) {
   const Cell& cell = task.cell;
   const StateBuilder builder(task, frame);
   RungStates states;
   builder.build(rung, states);
-  std::vector<collision::CellState> cellStates(states.cost.size());
-  for (std::size_t n = 0; n < cellStates.size(); ++n) {
+  std::vector<collision::CellState> cellStates;
+  std::vector<std::size_t> indices;
+  for (std::size_t n = 0; n < states.cost.size(); ++n) {
+    if (states.cost[n] >= SearchPenalty::kOutside) {
+      continue;  // out of reach or limits: worse than any collision
+    }
     const std::size_t table = n / kLanes;
     cell::JointVector q(cell.jointCount());
     for (int j = 0; j < cell.robotJoints(); ++j) {
@@ -62,12 +70,16 @@ std::vector<float> collisionCosts(const Task& task,
     if (cell.positionerJoints() > 0) {
       q(cell.jointCount() - 1) = states.tableValues[table];
     }
-    cellStates[n] = {q, task.targets[rung.target].waypoint.deposited};
+    cellStates.push_back({q, task.targets[rung.target].waypoint.deposited});
+    indices.push_back(n);
   }
-  std::vector<float> costs(cellStates.size());
-  clearance.evaluate(cellStates, costs);
-  for (float& cost : costs) {
-    cost = cost < 0.0F ? kCollisionCost * (1.0F - cost / kDepthUnit) : 0.0F;
+  lookedAt += cellStates.size();
+  std::vector<float> distances(cellStates.size());
+  clearance.evaluate(cellStates, distances);
+  std::vector<float> costs(states.cost.size(), 0.0F);
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    costs[indices[k]] =
+        distances[k] < 0.0F ? kCollisionCost * (1.0F - distances[k] / kDepthUnit) : 0.0F;
   }
   return costs;
 }
@@ -230,13 +242,14 @@ private:
   /// a path collides at are looked at.
   Candidate searched(const SearchFrame& frame, bool* tableFree) const {
     ExtraCosts extra;
+    std::size_t lookedAt = 0;
     Candidate best;
     for (int round = 0; round < kCollisionRounds; ++round) {
       const SearchPath path = searchGraph(task_, frame, extra, context_);
       *tableFree = path.tableFree;
       Candidate own = candidate(RedundancyMode::Optimized, resolutionOf(task_, frame, path));
       const bool collides = own.evaluation.count(Constraint::Collision) > 0;
-      const bool more = collides && addCollisions(frame, own.motion, extra);
+      const bool more = collides && addCollisions(frame, own.motion, extra, lookedAt);
       if (round == 0 || own.evaluation.betterThan(best.evaluation)) {
         best = std::move(own);
       }
@@ -248,7 +261,10 @@ private:
   }
 
   /// Costs of the rungs beside colliding targets; false when all of them are known.
-  bool addCollisions(const SearchFrame& frame, const Motion& motion, ExtraCosts& extra) const {
+  bool addCollisions(const SearchFrame& frame,
+                     const Motion& motion,
+                     ExtraCosts& extra,
+                     std::size_t& lookedAt) const {
     const std::vector<float> distances = clearanceOf(motion, *clearance_);
     bool added = false;
     for (std::size_t r = 0; r < frame.rungs.size(); ++r) {
@@ -261,9 +277,9 @@ private:
       for (std::size_t i = begin; i < end; ++i) {
         collides = collides || distances[i] < 0.0F;
       }
-      if (collides && extra.find(r) == extra.end()) {
+      if (collides && extra.find(r) == extra.end() && lookedAt < kMostCollisionStates) {
         context_.check();
-        extra[r] = collisionCosts(task_, frame, frame.rungs[r], *clearance_);
+        extra[r] = collisionCosts(task_, frame, frame.rungs[r], *clearance_, lookedAt);
         added = true;
       }
     }

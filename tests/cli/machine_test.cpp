@@ -27,9 +27,11 @@ TEST_F(Machine, whatLeansBeyondTheStrokeIsTold) {
 }
 
 TEST_F(Machine, aPostForArmsRefusesThem) {
-  const std::string told =
-      refusedRun(elbowOn("debout_5axis"), 6, {"--operation", "planar", "--post", "kuka"});
-  EXPECT_THAT(told, HasSubstr("the cell 5 and 0"));
+  const ProcessResult run = camcli({"--project", elbowOn("debout_5axis").native(), "--operation",
+                                    "planar", "--post", "kuka", "--output", "out"});
+  EXPECT_EQ(run.exitCode, 6);
+  EXPECT_THAT(run.err, HasSubstr("the cell 5 and 0"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/kuka"));
 }
 
 /// A generic post writes the program; the table has columns in mm for the linear axes.

@@ -101,11 +101,12 @@ TEST(OtherConfiguration, isACureWhereNothingElseHelps) {
 TEST(OtherConfiguration, ofAFileIsChecked) {
   const std::string folder = std::string(WCAM_RESOURCES) + "/cells";
   const std::string text = readFile(folder + "/fanuc_arcmate120ic.json");
+  JobContext context;
   const auto problemOf = [&](const std::string& name) {
     Value file = parseJson(text, "cell");
     file.set("other_configuration", name);
     try {
-      (void)cell::cellFromValue(file, "cell", JobContext(), folder);
+      (void)cell::cellFromValue(file, "cell", context, folder);
     } catch (const Error& error) {
       return std::string(error.what());
     }
@@ -114,7 +115,10 @@ TEST(OtherConfiguration, ofAFileIsChecked) {
   EXPECT_EQ(problemOf("fanuc_arcmate120ic_part_carried.json"), "");
   EXPECT_EQ(problemOf(""), "");
   EXPECT_NE(problemOf("kuka_kr16.json").find("has the same configuration"), std::string::npos);
-  EXPECT_NE(problemOf("missing.json").find("other_configuration"), std::string::npos);
+  // One that is not there is told, and the cell works.
+  EXPECT_EQ(context.diagnostics().count("cell.other_configuration_missing"), 0U);
+  EXPECT_EQ(problemOf("missing.json"), "");
+  EXPECT_EQ(context.diagnostics().count("cell.other_configuration_missing"), 1U);
 }
 
 }  // namespace
