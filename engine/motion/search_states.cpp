@@ -10,6 +10,7 @@
 #include "vertical_tolerance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -227,18 +228,23 @@ void StateBuilder::solve(const Rung& rung, RungStates& states) const {
       }
     }
     cell::inverseBlock(*cell.arm, *poses, count, *joints);
-    for (int n = 0; n < count; ++n) {
-      const std::size_t pose = begin + static_cast<std::size_t>(n);
-      const std::size_t at =
-          pose / kTorchSamples * 2 * kLanes + pose % kTorchSamples * Branch::kCount;
-      const std::size_t costAt = pose * Branch::kCount;
-      for (std::size_t b = 0; b < Branch::kCount; ++b) {
-        for (std::size_t j = 0; j < 6; ++j) {
-          states.rows[j][at + b] = static_cast<float>(joints->joints[b][j][n]);
+    // Branch and joint outside: each block's row is read from its beginning to its end.
+    std::array<std::size_t, cell::PoseBlock::kSize> at{};
+    for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+      const std::size_t pose = begin + n;
+      at[n] = pose / kTorchSamples * 2 * kLanes + pose % kTorchSamples * Branch::kCount;
+    }
+    const float unreachable = SearchPenalty::kUnreachable * static_cast<float>(rung.steps);
+    for (std::size_t b = 0; b < Branch::kCount; ++b) {
+      for (std::size_t j = 0; j < 6; ++j) {
+        float* const row = states.rows[j].data() + b;
+        for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+          row[at[n]] = static_cast<float>(joints->joints[b][j][n]);
         }
-        if (joints->reachable[b & 1U][n] == 0.0) {
-          states.cost[costAt + b] += SearchPenalty::kUnreachable * static_cast<float>(rung.steps);
-        }
+      }
+      float* const cost = states.cost.data() + begin * Branch::kCount + b;
+      for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+        cost[n * Branch::kCount] += joints->reachable[b & 1U][n] == 0.0 ? unreachable : 0.0F;
       }
     }
   }
