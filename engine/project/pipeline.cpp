@@ -377,18 +377,19 @@ const Operation& Pipeline::operationOf(const std::string& id) const {
 }
 
 OperationResult Pipeline::compute(const std::string& id, const JobContext& context) const {
-  const Operation& operation = operationOf(id);
-  try {
-    return computeStages(operation, Until::Program, context);
-  } catch (const Error& error) {
-    rethrowIn(error, "operation '" + id + "'");
-  }
+  return computeUntil(id, Until::Program, context);
 }
 
 OperationResult Pipeline::computePath(const std::string& id, const JobContext& context) const {
+  return computeUntil(id, Until::Path, context);
+}
+
+OperationResult Pipeline::computeUntil(const std::string& id,
+                                       Until until,
+                                       const JobContext& context) const {
   const Operation& operation = operationOf(id);
   try {
-    return computeStages(operation, Until::Path, context);
+    return computeStages(operation, until, context);
   } catch (const Error& error) {
     rethrowIn(error, "operation '" + id + "'");
   }

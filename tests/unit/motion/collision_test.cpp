@@ -214,6 +214,12 @@ TEST(CheckedMotion, reportsTheTiltAndMakesIt) {
   ASSERT_TRUE(plain.collisions.checked);
   EXPECT_FALSE(plain.pathChanged);
   ASSERT_GT(plain.collisions.collidingPoints + plain.collisions.nearPoints, 0U);
+  // The distance at every waypoint, which colours the path; the worst is the one that is told.
+  const std::vector<float>& distance = plain.collisions.distance;
+  ASSERT_EQ(distance.size(), plain.planned.motion.waypoints.size());
+  const float least = *std::min_element(distance.begin(), distance.end());
+  EXPECT_FLOAT_EQ(least, static_cast<float>(plain.collisions.leastDistance));
+  EXPECT_GT(*std::max_element(distance.begin(), distance.end()), least + 5.0F);
   bool lateral = false;
   for (const Diagnostic& finding : told.diagnostics().items()) {
     if (finding.code == "motion.collision" || finding.code == "motion.near_collision") {

@@ -107,6 +107,9 @@ private:
   enum class Until { Path, Cell, Program };
   /// @throws Error(InvalidArgument) with a near name
   [[nodiscard]] const Operation& operationOf(const std::string& id) const;
+  [[nodiscard]] OperationResult computeUntil(const std::string& id,
+                                             Until until,
+                                             const JobContext& context) const;
   [[nodiscard]] OperationResult computeStages(const Operation& operation,
                                               Until until,
                                               const JobContext& context) const;
