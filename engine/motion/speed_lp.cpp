@@ -134,12 +134,15 @@ WCAM_CLONED EndRange endRange(const Strips<B>& strips, double start, double top)
 /// Greatest x at the zone's start, at most `cap`, from which the end can be met below `top`. The
 /// gap high − low is concave in the start and not negative at 0: Newton steps from the right
 /// towards its zero, from a little beyond what is expected where the zero lies before it.
+/// @param endCap what `top` never exceeds: the strips do not depend on the zone after this one, so
+/// that the processor makes them while it still works on that
 template <int B>
-WCAM_CLONED double greatestStart(const ZoneRows& rows, double cap, double top, double expected) {
+WCAM_CLONED double greatestStart(
+    const ZoneRows& rows, double cap, double endCap, double top, double expected) {
   if (fits<B>(rows, cap, top)) {
     return cap;
   }
-  const Strips<B> strips(rows, cap, top);
+  const Strips<B> strips(rows, cap, endCap);
   const double rightEnd = strips.greatestStart;
   bool guessed = expected * kBeyond < rightEnd;
   double a = guessed ? expected * kBeyond : rightEnd;
@@ -188,7 +191,7 @@ WCAM_CLONED void backward(
     after[i - 1] = top;
     if (p.zone[k - 1] > 0.0) {
       const ZoneRows rows{slope + (k - 1) * kWidth, slope + k * kWidth, 2.0 * p.zone[k - 1]};
-      before[i - 1] = greatestStart<B>(rows, p.zoneCap[k - 1], top, before[i] * trend);
+      before[i - 1] = greatestStart<B>(rows, p.zoneCap[k - 1], p.cap[k], top, before[i] * trend);
     } else {
       before[i - 1] = top;
     }
