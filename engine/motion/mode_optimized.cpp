@@ -17,7 +17,7 @@ namespace {
 /// Rungs of the search at most: some seconds at 6912 states each.
 constexpr std::size_t kMostRungs = 8000;
 /// Point by point and polynomial are candidates up to this many targets: on longer paths they
-/// would take longer than everything else together.
+/// would take longer than everything else together. Their own objective apart.
 constexpr std::size_t kAllModesTargets = 2000;
 
 /// Both gauges are refined up to this many targets, else the better one.
@@ -138,7 +138,10 @@ private:
     const bool same = mode == RedundancyMode::Fixed &&
                       (task_.cell.partCarried() || task_.cell.positionerJoints() == 0);
     const std::size_t most = isFollowed(task_.cell) ? kAllModesFollowed : kAllModesTargets;
-    return !same && !lacksPositioner(mode, task_.cell) && !(slow && task_.targets.size() > most);
+    // Who asks for a mode's own objective gets nothing worse than the mode, however long it takes.
+    const bool tooLong =
+        slow && task_.targets.size() > most && task_.params.weights() != ownObjective(mode);
+    return !same && !lacksPositioner(mode, task_.cell) && !tooLong;
   }
 
   /// Search and refinement from one gravity-aligned reference.
