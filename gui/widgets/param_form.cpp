@@ -14,7 +14,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -40,7 +39,11 @@ protected:
 };
 
 QString numberText(double value) {
-  return qt(formatReal(value)).remove(QRegularExpression("\\.0$"));
+  QString text = qt(formatReal(value));
+  if (text.endsWith(".0")) {
+    text.chop(2);
+  }
+  return text;
 }
 
 QString valueText(const Value& value) {
@@ -164,14 +167,20 @@ void ParamForm::setSections(const std::string& identity,
                     std::equal(sections.begin(), sections.end(), sections_.begin(), sameKeys);
   identity_ = identity;
   sections_ = std::move(sections);
-  if (!same || body_ == nullptr) {
+  const bool anew = !same || body_ == nullptr;
+  if (anew) {
     rebuild();
   }
-  showValues();
+  takeValues();
   filter();
+  if (anew) {
+    // Only now: what is shown already is laid out with each widget that comes.
+    scroll_->setWidget(body_);
+  }
 }
 
 void ParamForm::rebuild() {
+  ++builds_;
   rows_.clear();
   groups_.clear();
   // The field that was edited may be one of the old ones, and is still in its signal.
@@ -225,12 +234,11 @@ void ParamForm::rebuild() {
     }
   }
   layout->addStretch(1);
-  scroll_->setWidget(body_);
 }
 
 void ParamForm::addRow(const FormSection& section,
                        const ParamDef& def,
-                       QWidget* group,
+                       QToolButton* group,
                        QVBoxLayout* layout) {
   Row row;
   row.section = section.id;
@@ -238,19 +246,30 @@ void ParamForm::addRow(const FormSection& section,
   row.readOnly = section.readOnly;
   row.group = group;
   row.box = new QWidget(body_);
+  row.box->hide();
+  layout->addWidget(row.box);
+  rows_.push_back(std::move(row));
+}
+
+void ParamForm::fill(Row& row) {
+  if (row.field != nullptr) {
+    return;
+  }
+  const ParamDef& def = row.def;
+  const QString tip = tipOf(def);
+  const QString label = engineText(def.info.label);
   auto* lines = new QVBoxLayout(row.box);
   lines->setContentsMargins(10, 0, 0, 0);
   lines->setSpacing(1);
   auto* line = new QHBoxLayout;
   line->setSpacing(4);
-  row.label = new QLabel(engineText(def.info.label), row.box);
-  row.label->setToolTip(tipOf(def));
+  row.label = new QLabel(label, row.box);
+  row.label->setToolTip(tip);
   row.label->setWordWrap(true);
   row.field = makeField(row);
-  row.field->setObjectName(QString("%1.%2").arg(qt(section.id), qt(def.info.key)));
-  row.field->setToolTip(tipOf(def));
-  row.field->setAccessibleName(engineText(def.info.label));
-  row.field->setEnabled(!section.readOnly);
+  row.field->setObjectName(QString("%1.%2").arg(qt(row.section), qt(def.info.key)));
+  row.field->setToolTip(tip);
+  row.field->setAccessibleName(label);
   row.label->setBuddy(row.field);
   line->addWidget(row.label, 4);
   line->addWidget(row.field, 5);
@@ -262,7 +281,7 @@ void ParamForm::addRow(const FormSection& section,
   row.reset->setIcon(icon("reset"));
   row.reset->setAutoRaise(true);
   row.reset->setToolTip(tr("Back to the default"));
-  row.reset->setAccessibleName(tr("Reset %1").arg(engineText(def.info.label)));
+  row.reset->setAccessibleName(tr("Reset %1").arg(label));
   row.reset->setFixedSize(22, 22);
   QSizePolicy keep = row.reset->sizePolicy();
   keep.setRetainSizeWhenHidden(true);
@@ -274,14 +293,13 @@ void ParamForm::addRow(const FormSection& section,
   row.error->setWordWrap(true);
   row.error->hide();
   lines->addWidget(row.error);
-  layout->addWidget(row.box);
-  connect(row.reset, &QToolButton::clicked, this, [this, id = section.id, key = def.info.key] {
+  connect(row.reset, &QToolButton::clicked, this, [this, id = row.section, key = def.info.key] {
     if (Row* r = find(id, key)) {
       r->error->hide();
     }
     emit edited(id, key, Value());
   });
-  rows_.push_back(std::move(row));
+  showValue(row, true);
 }
 
 QWidget* ParamForm::makeField(Row& row) {
@@ -335,8 +353,8 @@ void ParamForm::commitText(const std::string& section,
                            const std::string& key,
                            const QString& text) {
   Row* row = find(section, key);
-  if (row == nullptr || row->readOnly || text == valueText(row->shown)) {
-    if (row != nullptr && text == valueText(row->shown)) {
+  if (row == nullptr || row->readOnly || text == valueText(row->value)) {
+    if (row != nullptr && text == valueText(row->value)) {
       row->error->hide();
     }
     return;
@@ -369,12 +387,12 @@ void ParamForm::showError(const std::string& section,
   }
 }
 
-QString ParamForm::errorAt(const std::string& section, const std::string& key) const {
+QString ParamForm::errorAt(const std::string& section, const std::string& key) {
   const Row* row = find(section, key);
   return row != nullptr && !row->error->isHidden() ? row->error->text() : QString();
 }
 
-void ParamForm::showValues() {
+void ParamForm::takeValues() {
   for (const FormSection& section : sections_) {
     Value completed;
     try {
@@ -399,29 +417,28 @@ void ParamForm::showValues() {
         enabled = true;
       }
       const Value* own = section.values.find(row.def.info.key);
-      showValue(row, own != nullptr && !own->isNull() ? *own : completed.at(row.def.info.key),
-                own != nullptr && !own->isNull(), enabled && !section.readOnly);
+      row.isSet = own != nullptr && !own->isNull();
+      row.enabled = enabled && !section.readOnly;
+      const Value& value = row.isSet ? *own : completed.at(row.def.info.key);
+      const bool changed = !(row.value == value);
+      row.value = value;
       const auto problem =
           std::find_if(problems.begin(), problems.end(),
                        [&](const ParamProblem& p) { return p.path == row.def.info.key; });
-      if (problem != problems.end()) {
-        row.error->setText(qt(problem->message));
-        row.error->show();
-      } else if (row.field->property("stale").toBool() || !row.field->hasFocus()) {
-        row.error->hide();
+      row.problem = problem != problems.end() ? qt(problem->message) : QString();
+      if (row.field != nullptr) {
+        showValue(row, changed);
       }
     }
   }
 }
 
-void ParamForm::showValue(Row& row, const Value& value, bool isSet, bool enabled) {
-  const bool changed = !(row.shown == value);
-  row.shown = value;
+void ParamForm::showValue(Row& row, bool changed) {
   const QSignalBlocker block(row.field);
   if (auto* box = qobject_cast<QCheckBox*>(row.field)) {
-    box->setChecked(value.isBool() && value.asBool());
+    box->setChecked(row.value.isBool() && row.value.asBool());
   } else if (auto* combo = qobject_cast<QComboBox*>(row.field)) {
-    const QString key = value.isString() ? qt(value.asString()) : QString();
+    const QString key = row.value.isString() ? qt(row.value.asString()) : QString();
     int index = combo->findData(key);
     if (index < 0 && !key.isEmpty()) {
       combo->addItem(key, key);
@@ -430,55 +447,65 @@ void ParamForm::showValue(Row& row, const Value& value, bool isSet, bool enabled
     combo->setCurrentIndex(index);
   } else if (auto* line = qobject_cast<QLineEdit*>(row.field)) {
     if (changed || !line->hasFocus()) {
-      line->setText(valueText(value));
+      line->setText(valueText(row.value));
       line->setCursorPosition(0);
     }
   }
   QFont font = row.label->font();
-  font.setBold(isSet);
+  font.setBold(row.isSet);
   row.label->setFont(font);
-  row.reset->setVisible(isSet && enabled);
-  row.field->setEnabled(enabled);
-  row.label->setEnabled(enabled);
+  row.reset->setVisible(row.isSet && row.enabled);
+  row.field->setEnabled(row.enabled);
+  row.label->setEnabled(row.enabled);
+  if (!row.problem.isEmpty()) {
+    row.error->setText(row.problem);
+    row.error->show();
+  } else if (!row.field->hasFocus()) {
+    row.error->hide();
+  }
 }
 
 void ParamForm::filter() {
   const QString wanted = search_->text().trimmed();
   for (const auto& [group, indices] : groups_) {
     bool any = false;
-    bool open = true;
     for (const std::size_t i : indices) {
       Row& row = rows_[i];
-      const auto* head = qobject_cast<QToolButton*>(row.group);
-      open = head == nullptr || head->isChecked();
-      const QString all = engineText(row.def.info.label) + " " + engineText(row.def.info.help) +
-                          " " + qt(row.def.info.key) + " " + engineText(row.def.info.group);
       // A search looks into all levels; what is set is always shown.
-      const bool shown = wanted.isEmpty()
-                             ? static_cast<int>(row.def.info.level) <= level_->currentIndex() ||
-                                   !row.reset->isHidden()
-                             : all.contains(wanted, Qt::CaseInsensitive);
-      row.box->setVisible(shown && (open || !wanted.isEmpty()));
-      any = any || shown;
+      const bool fits =
+          wanted.isEmpty()
+              ? static_cast<int>(row.def.info.level) <= level_->currentIndex() ||
+                    (row.isSet && row.enabled)
+              : QString(engineText(row.def.info.label) + " " + engineText(row.def.info.help) + " " +
+                        qt(row.def.info.key) + " " + engineText(row.def.info.group))
+                    .contains(wanted, Qt::CaseInsensitive);
+      const bool shown = fits && (row.group->isChecked() || !wanted.isEmpty());
+      if (shown) {
+        fill(row);
+      }
+      row.box->setVisible(shown);
+      any = any || fits;
     }
     group->setVisible(any);
   }
 }
 
+std::size_t ParamForm::filledRows() const {
+  return static_cast<std::size_t>(std::count_if(
+      rows_.begin(), rows_.end(), [](const Row& row) { return row.field != nullptr; }));
+}
+
 ParamForm::Row* ParamForm::find(const std::string& section, const std::string& key) {
   for (Row& row : rows_) {
     if (row.section == section && row.def.info.key == key) {
+      fill(row);
       return &row;
     }
   }
   return nullptr;
 }
 
-const ParamForm::Row* ParamForm::find(const std::string& section, const std::string& key) const {
-  return const_cast<ParamForm*>(this)->find(section, key);
-}
-
-QWidget* ParamForm::field(const std::string& section, const std::string& key) const {
+QWidget* ParamForm::field(const std::string& section, const std::string& key) {
   const Row* row = find(section, key);
   return row != nullptr ? row->field : nullptr;
 }

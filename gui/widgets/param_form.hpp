@@ -43,9 +43,15 @@ public:
   void clear();
 
   /// Field of a parameter, for tests; null when it is not there.
-  [[nodiscard]] QWidget* field(const std::string& section, const std::string& key) const;
+  [[nodiscard]] QWidget* field(const std::string& section, const std::string& key);
   /// The error that stands at a field; empty when there is none.
-  [[nodiscard]] QString errorAt(const std::string& section, const std::string& key) const;
+  [[nodiscard]] QString errorAt(const std::string& section, const std::string& key);
+  /// Number of parameters whose widgets are made: those that were shown since the form was built.
+  [[nodiscard]] std::size_t filledRows() const;
+
+  /// How often the form was built anew: not for other values of the same parameters.
+  [[nodiscard]] int builds() const { return builds_; }
+
   /// Shows an error of the command at the field that was edited last.
   void showError(const std::string& section, const std::string& key, const QString& error);
   void focusSearch();
@@ -57,6 +63,7 @@ signals:
   void edited(const std::string& section, const std::string& key, const wcam::Value& value);
 
 private:
+  /// Widgets cost far more than values: those of a row are made when it is shown first.
   struct Row {
     std::string section;
     ParamDef def;
@@ -65,20 +72,27 @@ private:
     QWidget* field = nullptr;
     QLabel* error = nullptr;
     QToolButton* reset = nullptr;
-    QWidget* group = nullptr;
-    Value shown;
+    QToolButton* group = nullptr;
+    Value value;
+    QString problem;  ///< with the value of the document
+    bool isSet = false;
+    bool enabled = true;
     bool readOnly = false;
   };
 
   void rebuild();
-  void addRow(const FormSection& section, const ParamDef& def, QWidget* group, QVBoxLayout* layout);
+  void addRow(const FormSection& section,
+              const ParamDef& def,
+              QToolButton* group,
+              QVBoxLayout* layout);
+  void fill(Row& row);
   QWidget* makeField(Row& row);
-  void showValues();
-  void showValue(Row& row, const Value& value, bool isSet, bool enabled);
+  void takeValues();
+  void showValue(Row& row, bool changed);
   void filter();
   void commitText(const std::string& section, const std::string& key, const QString& text);
+  /// A row with its widgets; null when there is no such parameter.
   [[nodiscard]] Row* find(const std::string& section, const std::string& key);
-  [[nodiscard]] const Row* find(const std::string& section, const std::string& key) const;
 
   std::string identity_;
   std::vector<FormSection> sections_;
@@ -90,6 +104,7 @@ private:
   QComboBox* level_;
   QScrollArea* scroll_;
   QWidget* body_ = nullptr;
+  int builds_ = 0;
 };
 
 }  // namespace wcam::gui

@@ -86,6 +86,35 @@ private:
   int late_ = 0;
 };
 
+/// With WCAM_BENCH_TRACE=ms in the environment, names every event that takes longer.
+class Application : public QApplication {
+public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (limit_ <= 0.0) {
+      return QApplication::notify(receiver, event);
+    }
+    const std::string what = std::string(receiver->metaObject()->className()) + " '" +
+                             receiver->objectName().toStdString() + "' event " +
+                             std::to_string(event->type());
+    QElapsedTimer clock;
+    clock.start();
+    ++depth_;
+    const bool taken = QApplication::notify(receiver, event);
+    --depth_;
+    const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    if (ms > limit_) {
+      std::printf("%*s%.1f ms: %s\n", 2 * depth_ + 2, "", ms, what.c_str());
+    }
+    return taken;
+  }
+
+private:
+  double limit_ = qEnvironmentVariable("WCAM_BENCH_TRACE").toDouble();
+  int depth_ = 0;
+};
+
 bool settled(MainWindow& window) {
   return !window.session().stale() && !window.session().generation().busy();
 }
@@ -161,17 +190,23 @@ void benchStart(QElapsedTimer& clock,
   (void)QTest::qWaitForWindowExposed(&window);
   QApplication::processEvents();
   const double usable = 1e-3 * static_cast<double>(clock.elapsed());
+  Watchdog watchdog;
   clock.restart();
+  watchdog.start();
   window.openFile(std::filesystem::path(WCAM_RESOURCES) / "projects/elbow/elbow.wcam");
   (void)QTest::qWaitFor([&] { return window.viewState().layerCount() > 0; }, kPatienceMs);
   QApplication::processEvents();
   const double layers = 1e-3 * static_cast<double>(clock.elapsed());
   (void)QTest::qWaitFor([&] { return settled(window); }, kPatienceMs);
+  const double all = 1e-3 * static_cast<double>(clock.elapsed());
+  (void)QTest::qWaitFor([] { return false; }, 500);
+  watchdog.stop();
   std::printf(
       "start: usable window after %.2f s (of it plugins %.2f s; goal 1.5), layers of the elbow "
-      "%.2f s "
-      "later (goal 2), all computed %.2f s\n",
-      usable, loaded, layers, 1e-3 * static_cast<double>(clock.elapsed()));
+      "%.2f s later (goal 2), all computed %.2f s\n",
+      usable, loaded, layers, all);
+  std::printf("elbow: the event loop stood still for %.0f ms at most (%.0f ms of it own work)\n",
+              watchdog.worst(), watchdog.worstCpu());
 }
 
 void benchMillionTriangles(const std::shared_ptr<const wcam::plugin::PluginHost>& plugins,
@@ -253,7 +288,7 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   wcam::gui::prepareApplication();
   QCoreApplication::setApplicationName("wcam-bench");
-  QApplication application(argc, argv);
+  Application application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   wcam::gui::loadTranslations(application, "en");
   QSettings().clear();
