@@ -246,8 +246,12 @@ void MainWindow::connectAll() {
   connect(session_, &Session::failed, this,
           [this](const QString& message) { notify(Status::Error, message); });
   session_->generation().setProgress([this](double fraction, const std::string& label) {
+    // A progress bar repaints itself at once, and with it the 3D view is composed anew: later will
+    // do.
+    progress_->setUpdatesEnabled(false);
     progress_->setValue(static_cast<int>(1000 * fraction));
     progress_->setFormat(qt(label) + " %p%");
+    progress_->setUpdatesEnabled(true);
   });
   connect(cancel_, &QToolButton::clicked, this,
           [this] { actions_->action("project.cancel")->trigger(); });

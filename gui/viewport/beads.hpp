@@ -23,8 +23,8 @@ struct ChunkRange {
   std::uint32_t layer = 0;
 };
 
-/// Cuts a path into chunks: a new one with every layer and after kChunkMoves moves.
-std::vector<ChunkRange> chunksOf(const PathData& path);
+/// Cuts a path into chunks: a new one with every layer and after `most` moves.
+std::vector<ChunkRange> chunksOf(const PathData& path, std::size_t most = kChunkMoves);
 
 /// The solid beads of a chunk. The first section stands at the end of the move before the chunk, so
 /// that chunks join. Polygons come in the order of the moves.

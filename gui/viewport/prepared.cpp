@@ -8,6 +8,7 @@
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace wcam::viewport {
@@ -19,6 +20,12 @@ constexpr std::size_t kMaxSolidMoves = 200000;
 /// Triangles of a part that are drawn: more than a view has room for, and few enough for a frame of
 /// software rendering.
 constexpr std::size_t kMostTriangles = 100000;
+/// Triangles of a part while things move, where drawing is slow.
+constexpr std::size_t kCoarseTriangles = 20000;
+/// Triangles that are drawn as one object: a frame of a software renderer holds several.
+constexpr std::size_t kPieceTriangles = 8000;
+/// Moves that are drawn as one object of solids: the same, with 16 triangles each.
+constexpr std::size_t kSolidMoves = 512;
 
 PreparedChunk chunkOf(const ChunkRange& range, BeadSolid built) {
   PreparedChunk chunk;
@@ -50,7 +57,8 @@ PreparedChunk chunkOf(const ChunkRange& range, BeadLines built) {
 
 std::vector<PreparedChunk> prepareChunks(const PathData& path, ChunkKind kind) {
   std::vector<PreparedChunk> chunks;
-  for (const ChunkRange& range : chunksOf(path)) {
+  for (const ChunkRange& range :
+       chunksOf(path, kind == ChunkKind::Solid ? kSolidMoves : kChunkMoves)) {
     chunks.push_back(kind == ChunkKind::Solid
                          ? chunkOf(range, beadSolid(path, range))
                          : chunkOf(range, beadLines(path, range, kind == ChunkKind::Travel)));
@@ -66,6 +74,19 @@ std::shared_ptr<const PreparedMesh> prepare(MeshData mesh) {
   auto prepared = std::make_shared<PreparedMesh>();
   mesh = simplified(std::move(mesh), kMostTriangles);
   prepared->surface = surfaceOf(mesh);
+  const std::size_t count = mesh.triangles.size() / 3;
+  if (count > kCoarseTriangles) {
+    MeshData coarse = mesh;
+    coarse.edgeBegin.clear();
+    prepared->coarse = surfaceOf(simplified(std::move(coarse), kCoarseTriangles));
+  }
+  for (std::size_t first = 0; first < count || first == 0; first += kPieceTriangles) {
+    vtkNew<vtkPolyData> piece;
+    piece->ShallowCopy(prepared->surface);
+    piece->SetPolys(
+        cellRange(prepared->surface->GetPolys(), first, std::min(first + kPieceTriangles, count)));
+    prepared->pieces.emplace_back(piece);
+  }
   if (mesh.edgeBegin.size() > 1) {
     prepared->edges = edgesOf(mesh);
   }
@@ -79,9 +100,8 @@ std::shared_ptr<const PreparedMesh> prepare(MeshData mesh) {
 std::shared_ptr<PreparedPath> prepare(std::shared_ptr<const PathData> path) {
   auto prepared = std::make_shared<PreparedPath>();
   prepared->data = std::move(path);
-  if (prepared->onlyLines()) {
-    prepared->lines = prepareChunks(*prepared->data, ChunkKind::Lines);
-  } else {
+  prepared->lines = prepareChunks(*prepared->data, ChunkKind::Lines);
+  if (!prepared->onlyLines()) {
     prepared->solids = prepareChunks(*prepared->data, ChunkKind::Solid);
   }
   return prepared;

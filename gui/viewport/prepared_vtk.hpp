@@ -18,7 +18,9 @@ class PreparedMesh {
 public:
   MeshData mesh;
   vtkSmartPointer<vtkPolyData> surface;
-  vtkSmartPointer<vtkPolyData> edges;  ///< null when the mesh has none
+  std::vector<vtkSmartPointer<vtkPolyData>> pieces;  ///< of the surface, each drawn quickly
+  vtkSmartPointer<vtkPolyData> coarse;  ///< fewer triangles; null when there are few anyway
+  vtkSmartPointer<vtkPolyData> edges;   ///< null when the mesh has none
   vtkSmartPointer<vtkStaticCellLocator> locator;
 };
 
@@ -39,8 +41,8 @@ class PreparedPath {
 public:
   std::shared_ptr<const PathData> data;
   std::vector<PreparedChunk> solids;
-  std::vector<PreparedChunk> lines;   ///< made when they are needed first
-  std::vector<PreparedChunk> travel;  ///< the same
+  std::vector<PreparedChunk> lines;
+  std::vector<PreparedChunk> travel;  ///< made when they are needed first
 
   [[nodiscard]] bool onlyLines() const;
 };

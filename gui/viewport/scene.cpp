@@ -41,6 +41,7 @@ Theme darkTheme() {
 
 Scene::Scene() : impl_(std::make_unique<Impl>()) {
   impl_->planes->AddItem(impl_->plane);
+  impl_->renderer->AddCuller(impl_->culler);
   impl_->renderer->SetGradientBackground(true);
   impl_->renderer->UseFXAAOn();
   for (const Solid& solid : torchSolids()) {
@@ -76,7 +77,7 @@ void Scene::setTheme(const Theme& theme) {
 
 void Scene::setParts(std::vector<std::shared_ptr<const PreparedMesh>> parts) {
   for (PartItem& part : impl_->parts) {
-    impl_->remove(part.surface);
+    part.forSurface([this](vtkActor* actor) { impl_->remove(actor); });
     impl_->remove(part.edges);
   }
   impl_->parts.clear();
@@ -84,9 +85,19 @@ void Scene::setParts(std::vector<std::shared_ptr<const PreparedMesh>> parts) {
   setMarkedEdges({});
   for (std::shared_ptr<const PreparedMesh>& mesh : parts) {
     PartItem item;
-    item.surface = makeActor(mesh->surface);
-    impl_->place(item.surface);
-    impl_->add(item.surface);
+    for (const vtkSmartPointer<vtkPolyData>& piece : mesh->pieces) {
+      item.surface.push_back(makeActor(piece));
+      impl_->place(item.surface.back());
+      impl_->add(item.surface.back());
+      if (mesh->coarse) {
+        impl_->details[item.surface.back()] = Detail::Fine;
+      }
+    }
+    if (mesh->coarse) {
+      item.coarse = makeActor(mesh->coarse);
+      impl_->place(item.coarse);
+      impl_->add(item.coarse, Detail::Coarse);
+    }
     if (mesh->edges) {
       item.edges = makeActor(mesh->edges);
       item.edges->GetProperty()->SetLineWidth(1.6F);
@@ -322,7 +333,7 @@ std::array<double, 6> Scene::bounds() const {
     empty = false;
   };
   for (const PartItem& part : impl_->parts) {
-    grow(part.surface);
+    part.forSurface(grow);
   }
   for (const auto* list : {&impl_->solids, &impl_->lines}) {
     for (const Chunk& chunk : *list) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "portions.hpp"
 #include "prepared_vtk.hpp"
 #include "scene.hpp"
 
@@ -15,6 +16,9 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+
+#include <unordered_map>
+#include <unordered_set>
 
 namespace wcam::viewport {
 
@@ -31,8 +35,20 @@ struct Chunk {
 
 struct PartItem {
   std::shared_ptr<const PreparedMesh> prepared;
-  vtkSmartPointer<vtkActor> surface;
+  std::vector<vtkSmartPointer<vtkActor>> surface;  ///< in pieces
+  vtkSmartPointer<vtkActor> coarse;                ///< null: the surface itself has few triangles
   vtkSmartPointer<vtkActor> edges;
+
+  /// Visits the surface, fine and coarse.
+  template <class Visit>
+  void forSurface(const Visit& visit) const {
+    for (const vtkSmartPointer<vtkActor>& piece : surface) {
+      visit(piece.Get());
+    }
+    if (coarse) {
+      visit(coarse.Get());
+    }
+  }
 };
 
 struct Scene::Impl {
@@ -57,8 +73,13 @@ struct Scene::Impl {
   std::size_t end = 0;
   bool travelVisible = false;
   bool stale = false;
-  bool coarse = false;
   std::size_t uploads = 0;
+
+  std::unordered_map<vtkProp*, Detail> details;  ///< of props that belong to one detail only
+  std::unordered_set<vtkProp*> drawn;
+  vtkNew<PortionCuller> culler;
+  Portions portions;
+  std::vector<vtkSmartPointer<vtkActor>> samples;
 
   vtkSmartPointer<vtkActor> mark;
   std::vector<std::vector<vtkSmartPointer<vtkActor>>> bodies;
@@ -79,9 +100,16 @@ struct Scene::Impl {
 
   void add(vtkActor* actor) { renderer->AddActor(actor); }
 
+  void add(vtkActor* actor, Detail detail) {
+    details[actor] = detail;
+    add(actor);
+  }
+
   void remove(vtkProp* actor) {
     if (actor != nullptr) {
       renderer->RemoveActor(actor);
+      details.erase(actor);
+      drawn.erase(actor);
     }
   }
 
@@ -100,7 +128,7 @@ struct Scene::Impl {
   template <class Visit>
   void forBuilt(const Visit& visit) {
     for (PartItem& part : parts) {
-      visit(part.surface.Get());
+      part.forSurface(visit);
       if (part.edges) {
         visit(part.edges.Get());
       }
@@ -119,15 +147,17 @@ struct Scene::Impl {
 
   void showParts() {
     for (PartItem& part : parts) {
-      part.surface->SetVisibility(partStyle == PartStyle::Solid ||
-                                  partStyle == PartStyle::Translucent);
-      vtkProperty* property = part.surface->GetProperty();
-      setColour(property, theme.part);
-      property->SetOpacity(partStyle == PartStyle::Translucent ? 0.22 : 1.0);
-      property->SetAmbient(0.18);
-      property->SetDiffuse(0.82);
-      property->SetSpecular(0.12);
-      property->SetSpecularPower(20.0);
+      part.forSurface([this](vtkActor* surface) {
+        surface->SetVisibility(partStyle == PartStyle::Solid ||
+                               partStyle == PartStyle::Translucent);
+        vtkProperty* property = surface->GetProperty();
+        setColour(property, theme.part);
+        property->SetOpacity(partStyle == PartStyle::Translucent ? 0.22 : 1.0);
+        property->SetAmbient(0.18);
+        property->SetDiffuse(0.82);
+        property->SetSpecular(0.12);
+        property->SetSpecularPower(20.0);
+      });
       if (part.edges) {
         part.edges->SetVisibility(partStyle != PartStyle::Hidden);
         setColour(part.edges->GetProperty(), theme.edge);
@@ -148,13 +178,18 @@ struct Scene::Impl {
     }
   }
 
+  // scene_detail.cpp
+  [[nodiscard]] double trianglesOf(vtkProp* prop) const;
+  /// Everything that a picture shows.
+  /// @param most triangles of translucent parts; coarse ones stand for more
+  [[nodiscard]] std::vector<Drawable> drawables(Detail detail, double most) const;
+
   // scene_path.cpp
   void colour(Chunk& chunk);
   void clear(std::vector<Chunk>& chunks);
   /// Puts prepared chunks into the scene.
   void addChunks(std::vector<PreparedChunk>& prepared, std::vector<Chunk>& chunks);
-  void makeSolids();
-  void makeLines();
+  void makePath();
   void makeTravel();
   /// Shows the moves of a chunk that lie in [begin, end): the rest is left out of its cells.
   void show(Chunk& chunk, bool wanted);

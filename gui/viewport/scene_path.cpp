@@ -75,12 +75,11 @@ void Scene::Impl::addChunks(std::vector<PreparedChunk>& prepared, std::vector<Ch
   }
 }
 
-void Scene::Impl::makeSolids() {
-  if (path->solids.empty()) {
-    path->solids = prepareChunks(*path->data, ChunkKind::Solid);
-  }
+void Scene::Impl::makePath() {
   addChunks(path->solids, solids);
+  addChunks(path->lines, lines);
   for (Chunk& chunk : solids) {
+    details[chunk.actor] = Detail::Fine;
     vtkProperty* property = chunk.actor->GetProperty();
     property->SetAmbient(0.22);
     property->SetDiffuse(0.8);
@@ -88,14 +87,10 @@ void Scene::Impl::makeSolids() {
     property->SetSpecularPower(12.0);
     colour(chunk);
   }
-}
-
-void Scene::Impl::makeLines() {
-  if (path->lines.empty()) {
-    path->lines = prepareChunks(*path->data, ChunkKind::Lines);
-  }
-  addChunks(path->lines, lines);
   for (Chunk& chunk : lines) {
+    if (!asLines()) {
+      details[chunk.actor] = Detail::Coarse;
+    }
     chunk.actor->GetProperty()->SetLineWidth(2.0F);
     chunk.actor->GetProperty()->SetLighting(false);
     colour(chunk);
@@ -140,21 +135,18 @@ void Scene::Impl::showPath() {
   if (!path) {
     return;
   }
-  const bool useLines = asLines() || coarse;
-  if (useLines && lines.empty()) {
-    makeLines();
-  }
-  if (!useLines && solids.empty()) {
-    makeSolids();
-  }
   if (travelVisible && travel.empty()) {
     makeTravel();
   }
   for (Chunk& chunk : solids) {
-    show(chunk, !useLines);
+    show(chunk, true);
   }
+  const std::size_t before = uploads;
   for (Chunk& chunk : lines) {
-    show(chunk, useLines);
+    show(chunk, true);
+  }
+  if (!asLines()) {
+    uploads = before;
   }
   for (Chunk& chunk : travel) {
     show(chunk, travelVisible);
@@ -169,6 +161,9 @@ void Scene::setPath(std::shared_ptr<PreparedPath> path) {
   impl_->colours.clear();
   impl_->begin = 0;
   impl_->end = impl_->path ? impl_->path->data->size() : 0;
+  if (impl_->path) {
+    impl_->makePath();
+  }
   impl_->showPath();
 }
 
@@ -196,13 +191,6 @@ void Scene::setStale(bool stale) {
   if (stale != impl_->stale) {
     impl_->stale = stale;
     setPathColours(std::vector<std::uint8_t>(impl_->colours));
-  }
-}
-
-void Scene::setCoarse(bool coarse) {
-  if (coarse != impl_->coarse) {
-    impl_->coarse = coarse;
-    impl_->showPath();
   }
 }
 

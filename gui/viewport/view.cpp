@@ -9,16 +9,13 @@
 #include <vtkCamera.h>
 #include <vtkCaptionActor2D.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
-#include <vtkPNGWriter.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <chrono>
@@ -28,8 +25,6 @@ namespace wcam::viewport {
 
 namespace {
 
-// A frame that takes longer makes the scene coarse while the camera moves, s.
-constexpr double kSlowFrame = 0.07;
 // Degrees per pixel of the mouse.
 constexpr double kTurn = 0.35;
 
@@ -100,7 +95,10 @@ struct View::Impl {
   bool ready = false;
   int width = 1;
   int height = 1;
-  double frameTime = 0.0;
+  FrameBudget budget;
+
+  /// Draws what the scene has chosen.
+  void draw(bool first, bool last, bool smooth, double triangles);
 
   [[nodiscard]] vtkCamera* camera() const { return scene.renderer()->GetActiveCamera(); }
 
@@ -189,6 +187,10 @@ void View::initializeGl() {
   d.window->OpenGLInit();
   d.window->SetReadyForRendering(true);
   d.ready = true;
+  d.scene.addSamples();
+  render(Scene::Detail::Fine);
+  d.scene.removeSamples();
+  d.budget = FrameBudget();
 }
 
 void View::releaseGl() {
@@ -209,36 +211,63 @@ void View::resize(int width, int height) {
   impl_->window->SetSize(impl_->width, impl_->height);
 }
 
-unsigned View::render() {
-  Impl& d = *impl_;
-  if (!d.ready) {
-    return 0;
-  }
+void View::Impl::draw(bool first, bool last, bool smooth, double triangles) {
   const auto start = std::chrono::steady_clock::now();
-  vtkOpenGLState* state = d.window->GetState();
+  vtkOpenGLState* state = window->GetState();
   state->Reset();
   state->Push();
   state->vtkglDepthFunc(0x0203);  // GL_LEQUAL
-  // The axes in the corner turn with the camera.
-  vtkCamera* camera = d.camera();
-  const Point from = unit(minus(pointOf(camera->GetPosition()), pointOf(camera->GetFocalPoint())));
-  vtkCamera* own = d.corner->GetActiveCamera();
-  own->SetFocalPoint(0, 0, 0);
-  own->SetPosition(scaled(from, 5.5).data());
-  own->SetViewUp(camera->GetViewUp());
-  d.corner->ResetCameraClippingRange();
-  d.scene.renderer()->ResetCameraClippingRange();
-  d.window->Render();
-  d.frameTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return d.window->GetRenderFramebuffer()->GetFBOIndex();
+  if (first) {
+    // The axes in the corner turn with the camera.
+    const Point from =
+        unit(minus(pointOf(camera()->GetPosition()), pointOf(camera()->GetFocalPoint())));
+    vtkCamera* own = corner->GetActiveCamera();
+    own->SetFocalPoint(0, 0, 0);
+    own->SetPosition(scaled(from, 5.5).data());
+    own->SetViewUp(camera()->GetViewUp());
+    corner->ResetCameraClippingRange();
+    scene.renderer()->ResetCameraClippingRange();
+  }
+  scene.renderer()->SetErase(first ? 1 : 0);
+  scene.renderer()->SetUseFXAA(last && smooth);
+  corner->SetDraw(last ? 1 : 0);
+  window->Render();
+  window->WaitForCompletion();
+  state->Pop();
+  budget.drawn(triangles,
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-void View::endFrame() {
-  impl_->window->GetState()->Pop();
+bool View::fitsOneFrame() const {
+  return impl_->scene.triangles(Scene::Detail::Fine) <= impl_->budget.capacity();
 }
 
-double View::frameTime() const {
-  return impl_->frameTime;
+void View::render(Scene::Detail detail) {
+  if (impl_->ready) {
+    const double triangles = impl_->scene.chooseAll(detail);
+    impl_->draw(true, true, detail == Scene::Detail::Fine, triangles);
+  }
+}
+
+bool View::renderPortion(bool first) {
+  Impl& d = *impl_;
+  if (!d.ready) {
+    return true;
+  }
+  if (first) {
+    d.scene.beginPortions(d.budget.capacity());
+  }
+  const double triangles = d.scene.choosePortion(d.budget.capacity());
+  d.draw(first, d.scene.portionsComplete(), true, triangles);
+  return d.scene.portionsComplete();
+}
+
+unsigned View::framebuffer() const {
+  return impl_->ready ? impl_->window->GetRenderFramebuffer()->GetFBOIndex() : 0;
+}
+
+const FrameBudget& View::budget() const {
+  return impl_->budget;
 }
 
 void View::orbit(double dx, double dy) {
@@ -343,10 +372,6 @@ void View::lookAt(const Point& target) {
   d.setCamera(target, plus(target, arm), pointOf(d.camera()->GetViewUp()));
 }
 
-void View::setMoving(bool moving) {
-  impl_->scene.setCoarse(moving && impl_->frameTime > kSlowFrame);
-}
-
 Pick View::pick(double x, double y, Wanted wanted) const {
   const Scene::Ray ray = impl_->ray(x, y);
   Pick pick;
@@ -371,45 +396,6 @@ std::array<double, 2> View::project(const Point& p) const {
   }
   return {(clip[0] / clip[3] + 1.0) * 0.5 * ray.width,
           ray.height - (clip[1] / clip[3] + 1.0) * 0.5 * ray.height};
-}
-
-Image View::image() {
-  Image image;
-  if (!impl_->ready) {
-    return image;
-  }
-  image.width = impl_->width;
-  image.height = impl_->height;
-  vtkNew<vtkUnsignedCharArray> pixels;
-  impl_->window->GetPixelData(0, 0, image.width - 1, image.height - 1, 0, pixels.Get(), 0);
-  image.rgb.resize(3 * static_cast<std::size_t>(image.width) * image.height);
-  const std::size_t row = 3 * static_cast<std::size_t>(image.width);
-  for (int y = 0; y < image.height; ++y) {
-    const unsigned char* from = pixels->GetPointer(0) + row * (image.height - 1 - y);
-    std::copy(from, from + row, image.rgb.begin() + static_cast<std::ptrdiff_t>(row * y));
-  }
-  return image;
-}
-
-bool View::savePng(const std::string& file) {
-  const Image picture = image();
-  if (picture.rgb.empty()) {
-    return false;
-  }
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(picture.width, picture.height, 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
-  auto* out = static_cast<unsigned char*>(data->GetScalarPointer());
-  for (int y = 0; y < picture.height; ++y) {
-    std::copy_n(picture.rgb.begin() + static_cast<std::ptrdiff_t>(row * (picture.height - 1 - y)),
-                row, out + row * y);
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(data);
-  writer->Write();
-  return writer->GetErrorCode() == 0;
 }
 
 }  // namespace wcam::viewport

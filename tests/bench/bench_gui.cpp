@@ -33,6 +33,56 @@ using wcam::gui::MainWindow;
 
 constexpr int kPatienceMs = 300000;
 
+/// With WCAM_BENCH_TRACE=ms in the environment, a standstill that is longer names the events that
+/// made it.
+class Application : public QApplication {
+public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (limit() <= 0.0) {
+      return QApplication::notify(receiver, event);
+    }
+    const std::string what = std::string(receiver->metaObject()->className()) + " '" +
+                             receiver->objectName().toStdString() + "' event " +
+                             std::to_string(event->type());
+    QElapsedTimer clock;
+    clock.start();
+    const std::size_t place = events_.size();
+    ++depth_;
+    const bool taken = QApplication::notify(receiver, event);
+    --depth_;
+    const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    if (ms > 2.0) {
+      char line[32];
+      std::snprintf(line, sizeof line, "%*s%.1f ms: ", 2 * depth_ + 2, "", ms);
+      events_.insert(events_.begin() + static_cast<std::ptrdiff_t>(std::min(place, events_.size())),
+                     line + what);
+    }
+    return taken;
+  }
+
+  /// Ends a turn of the event loop that took some time.
+  void turn(double ms) {
+    if (limit() > 0.0 && ms > limit()) {
+      std::printf("standstill of %.1f ms\n", ms);
+      for (const std::string& event : events_) {
+        std::printf("%s\n", event.c_str());
+      }
+    }
+    events_.clear();
+  }
+
+private:
+  static double limit() {
+    static const double limit = qEnvironmentVariable("WCAM_BENCH_TRACE").toDouble();
+    return limit;
+  }
+
+  std::vector<std::string> events_;
+  int depth_ = 0;
+};
+
 /// Measures how long the event loop stands still: a timer that should come every few milliseconds.
 class Watchdog {
 public:
@@ -46,6 +96,7 @@ public:
         worst_ = gap;
         worstCpu_ = cpu - cpu_;
       }
+      static_cast<Application*>(qApp)->turn(gap);
       cpu_ = cpu;
       late_ += gap > kLate ? 1 : 0;
     });
@@ -55,6 +106,7 @@ public:
     worst_ = 0.0;
     worstCpu_ = 0.0;
     late_ = 0;
+    static_cast<Application*>(qApp)->turn(0.0);
     cpu_ = threadMilliseconds();
     clock_.start();
     timer_.start();
@@ -84,35 +136,6 @@ private:
   double worstCpu_ = 0.0;
   double cpu_ = 0.0;
   int late_ = 0;
-};
-
-/// With WCAM_BENCH_TRACE=ms in the environment, names every event that takes longer.
-class Application : public QApplication {
-public:
-  using QApplication::QApplication;
-
-  bool notify(QObject* receiver, QEvent* event) override {
-    if (limit_ <= 0.0) {
-      return QApplication::notify(receiver, event);
-    }
-    const std::string what = std::string(receiver->metaObject()->className()) + " '" +
-                             receiver->objectName().toStdString() + "' event " +
-                             std::to_string(event->type());
-    QElapsedTimer clock;
-    clock.start();
-    ++depth_;
-    const bool taken = QApplication::notify(receiver, event);
-    --depth_;
-    const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
-    if (ms > limit_) {
-      std::printf("%*s%.1f ms: %s\n", 2 * depth_ + 2, "", ms, what.c_str());
-    }
-    return taken;
-  }
-
-private:
-  double limit_ = qEnvironmentVariable("WCAM_BENCH_TRACE").toDouble();
-  int depth_ = 0;
 };
 
 bool settled(MainWindow& window) {
@@ -265,11 +288,15 @@ void benchMillionPoints(const std::shared_ptr<const wcam::plugin::PluginHost>& p
   QElapsedTimer clock;
   clock.start();
   double slowest = 0.0;
+  int painted = 0;
+  QObject::connect(window.view(), &wcam::gui::VtkWidget::painted, &window, [&] { ++painted; });
   for (int k = 0; k < kFrames; ++k) {
     const double before = 1e-6 * static_cast<double>(clock.nsecsElapsed());
     window.viewState().setMove(path->size() * static_cast<std::size_t>(k + 1) / (kFrames + 1));
-    window.view()->repaint();
-    QApplication::processEvents();
+    const int shown = painted;
+    while (painted == shown) {
+      QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
     slowest = std::max(slowest, 1e-6 * static_cast<double>(clock.nsecsElapsed()) - before);
   }
   const double seconds = 1e-9 * static_cast<double>(clock.nsecsElapsed());
