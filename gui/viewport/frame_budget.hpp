@@ -11,7 +11,7 @@ class FrameBudget {
 public:
   /// A frame should take no longer, s: with what the window toolkit does besides, a tenth of a
   /// second is never reached.
-  static constexpr double kFrame = 0.03;
+  static constexpr double kFrame = 0.025;
   /// Triangles of the first frame, before anything is known.
   static constexpr double kFirst = 16000.0;
   /// Never less: a frame costs some time however little is drawn.

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxSolidMoves = 200000;
 /// software rendering.
 constexpr std::size_t kMostTriangles = 100000;
 /// Triangles of a part while things move, where drawing is slow.
-constexpr std::size_t kCoarseTriangles = 20000;
+constexpr std::size_t kCoarseTriangles = 10000;
 /// Triangles that are drawn as one object: a frame of a software renderer holds several.
 constexpr std::size_t kPieceTriangles = 8000;
 /// Moves that are drawn as one object of solids: the same, with 16 triangles each.

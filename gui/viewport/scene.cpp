@@ -25,6 +25,9 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  // Lines come forward, so surfaces need not go back. A surface that does writes its own depth,
+  // and then every hidden pixel of it is computed: with a software renderer most of the time.
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -2.0);
   actor->SetMapper(mapper);
   return actor;
 }
@@ -164,7 +167,7 @@ void Scene::setMarkedFaces(const std::vector<std::pair<int, int>>& faces) {
   }
   impl_->markedFaces = makeActor(surfaceOf(marked));
   impl_->markedFaces->GetProperty()->SetColor(1.0, 0.6, 0.1);
-  impl_->markedFaces->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -2.0);
+  impl_->markedFaces->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-4.0, -4.0);
   impl_->place(impl_->markedFaces);
   impl_->add(impl_->markedFaces);
 }

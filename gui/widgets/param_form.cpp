@@ -29,6 +29,9 @@ namespace wcam::gui {
 
 namespace {
 
+/// Rows whose widgets are made in one turn of the event loop.
+constexpr std::size_t kRowsAtOnce = 8;
+
 /// A choice that the wheel does not change while the form is scrolled.
 class CalmComboBox : public QComboBox {
 public:
@@ -134,6 +137,8 @@ ParamForm::ParamForm(QWidget* parent) : QWidget(parent) {
   layout->addWidget(title_);
   layout->addLayout(top);
   layout->addWidget(scroll_, 1);
+  building_.setSingleShot(true);
+  connect(&building_, &QTimer::timeout, this, [this] { buildSome(kRowsAtOnce); });
   connect(search_, &QLineEdit::textChanged, this, &ParamForm::filter);
   connect(level_, &QComboBox::currentIndexChanged, this, [this](int index) {
     QSettings().setValue("form/level", index);
@@ -167,20 +172,47 @@ void ParamForm::setSections(const std::string& identity,
                     std::equal(sections.begin(), sections.end(), sections_.begin(), sameKeys);
   identity_ = identity;
   sections_ = std::move(sections);
-  const bool anew = !same || body_ == nullptr;
-  if (anew) {
+  if (!same || body_ == nullptr) {
     rebuild();
   }
   takeValues();
   filter();
-  if (anew) {
-    // Only now: what is shown already is laid out with each widget that comes.
-    scroll_->setWidget(body_);
+  if (!complete_) {
+    building_.start(0);
+  }
+}
+
+void ParamForm::buildSome(std::size_t most) {
+  std::size_t made = 0;
+  for (Row& row : rows_) {
+    if (row.shown && row.field == nullptr) {
+      if (made == most) {
+        building_.start(0);
+        return;
+      }
+      fill(row);
+      ++made;
+    }
+  }
+  if (made > 0 && most < rows_.size()) {
+    building_.start(0);  // laying them out takes a turn of its own
+    return;
+  }
+  complete_ = true;
+  filter();
+  scroll_->setWidget(body_);
+}
+
+void ParamForm::buildRest() {
+  if (!complete_) {
+    building_.stop();
+    buildSome(rows_.size());
   }
 }
 
 void ParamForm::rebuild() {
   ++builds_;
+  complete_ = false;
   rows_.clear();
   groups_.clear();
   // The field that was edited may be one of the old ones, and is still in its signal.
@@ -479,11 +511,13 @@ void ParamForm::filter() {
               : QString(engineText(row.def.info.label) + " " + engineText(row.def.info.help) + " " +
                         qt(row.def.info.key) + " " + engineText(row.def.info.group))
                     .contains(wanted, Qt::CaseInsensitive);
-      const bool shown = fits && (row.group->isChecked() || !wanted.isEmpty());
-      if (shown) {
-        fill(row);
+      row.shown = fits && (row.group->isChecked() || !wanted.isEmpty());
+      if (complete_) {
+        if (row.shown) {
+          fill(row);
+        }
+        row.box->setVisible(row.shown);
       }
-      row.box->setVisible(shown);
       any = any || fits;
     }
     group->setVisible(any);
@@ -496,6 +530,7 @@ std::size_t ParamForm::filledRows() const {
 }
 
 ParamForm::Row* ParamForm::find(const std::string& section, const std::string& key) {
+  buildRest();
   for (Row& row : rows_) {
     if (row.section == section && row.def.info.key == key) {
       fill(row);

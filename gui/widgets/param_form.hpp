@@ -4,6 +4,7 @@
 
 #include "wcam/base/param.hpp"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <map>
@@ -29,7 +30,8 @@ struct FormSection {
 };
 
 /// A form made from schemas: search, groups, levels, units, limits, errors at their fields, reset
-/// to the default. Knows nothing of documents: it tells what was edited.
+/// to the default. Knows nothing of documents: it tells what was edited. Its widgets are made in
+/// several turns of the event loop; who asks for one of them gets all at once.
 class ParamForm : public QWidget {
   Q_OBJECT
 
@@ -75,6 +77,7 @@ private:
     QToolButton* group = nullptr;
     Value value;
     QString problem;  ///< with the value of the document
+    bool shown = false;
     bool isSet = false;
     bool enabled = true;
     bool readOnly = false;
@@ -86,6 +89,9 @@ private:
               QToolButton* group,
               QVBoxLayout* layout);
   void fill(Row& row);
+  /// Makes the next widgets; the last time shows them all.
+  void buildSome(std::size_t most);
+  void buildRest();
   QWidget* makeField(Row& row);
   void takeValues();
   void showValue(Row& row, bool changed);
@@ -104,6 +110,8 @@ private:
   QComboBox* level_;
   QScrollArea* scroll_;
   QWidget* body_ = nullptr;
+  QTimer building_;
+  bool complete_ = false;  ///< the widgets of all rows to be shown are made
   int builds_ = 0;
 };
 
