@@ -34,6 +34,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 namespace wcam::gui {
 
 namespace {
@@ -299,6 +301,11 @@ void MainWindow::connectAll() {
 
 void MainWindow::placeOverlay() {
   legend_->move(12, 12);
+  if (view_ != nullptr) {
+    const bool legend = actions_->action("view.legend")->isChecked();
+    view_->view().setInset(
+        legend ? static_cast<int>(std::lround(Legend::kReserved * devicePixelRatioF())) : 0);
+  }
   staleNote_->adjustSize();
   staleNote_->move((stage_->width() - staleNote_->width()) / 2, 12);
 }

@@ -30,7 +30,7 @@ namespace {
 /// On few processors the window comes before what is computed for it. Linux keeps a priority for
 /// each thread, and threads and programs that a job starts inherit it.
 void stepBack() {
-  constexpr int kNice = 10;
+  constexpr int kNice = 5;
   static_cast<void>(setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kNice));
 }
 

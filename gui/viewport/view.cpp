@@ -95,6 +95,7 @@ struct View::Impl {
   bool ready = false;
   int width = 1;
   int height = 1;
+  int inset = 0;
   FrameBudget budget;
 
   /// Draws what the scene has chosen.
@@ -310,7 +311,8 @@ void View::zoom(double factor, double x, double y) {
   Impl& d = *impl_;
   vtkCamera* camera = d.camera();
   // What is under the mouse stays there.
-  pan(0.5 * d.width - x, 0.5 * d.height - y);
+  const double middle = 0.5 * d.width * (1.0 - camera->GetWindowCenter()[0]);
+  pan(middle - x, 0.5 * d.height - y);
   if (camera->GetParallelProjection() != 0) {
     camera->SetParallelScale(camera->GetParallelScale() / factor);
   } else {
@@ -318,7 +320,7 @@ void View::zoom(double factor, double x, double y) {
     const Point arm = minus(pointOf(camera->GetPosition()), focal);
     d.setCamera(focal, plus(focal, scaled(arm, 1.0 / factor)), pointOf(camera->GetViewUp()));
   }
-  pan(x - 0.5 * d.width, y - 0.5 * d.height);
+  pan(x - middle, y - 0.5 * d.height);
 }
 
 void View::setStandardView(StandardView view) {
@@ -346,8 +348,13 @@ void View::setStandardView(StandardView view) {
 void View::fit() {
   const std::array<double, 6> box = impl_->scene.bounds();
   if (box[0] <= box[1]) {
-    impl_->scene.renderer()->ResetCamera(box.data());
-    impl_->camera()->Zoom(1.08);
+    Impl& d = *impl_;
+    // The middle of the picture goes to the middle of what is free, and a narrow view holds less.
+    const double free = std::max(d.width - d.inset, d.width / 2);
+    const auto shape = [&d](double width) { return std::min(width / d.height, 1.0); };
+    d.camera()->SetWindowCenter(free / d.width - 1.0, 0.0);
+    d.scene.renderer()->ResetCamera(box.data());
+    d.camera()->Zoom(1.08 * shape(free) / shape(d.width));
     if (impl_->camera()->GetParallelProjection() == 0) {
       // Zoom() narrows the angle; the same by coming nearer, so that the perspective stays.
       const double angle = impl_->camera()->GetViewAngle();
@@ -355,6 +362,10 @@ void View::fit() {
       impl_->camera()->Dolly(30.0 / angle);
     }
   }
+}
+
+void View::setInset(int left) {
+  impl_->inset = std::max(left, 0);
 }
 
 void View::setParallel(bool on) {

@@ -46,6 +46,8 @@ public:
   void zoom(double factor, double x, double y);
   void setStandardView(StandardView view);
   void fit();
+  /// Pixels at the left that fitting leaves free, for what stands over the view.
+  void setInset(int left);
   void setParallel(bool on);
   [[nodiscard]] bool parallel() const;
   void lookAt(const Point& target);

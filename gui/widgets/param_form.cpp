@@ -14,6 +14,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -31,6 +32,8 @@ namespace {
 
 /// Rows whose widgets are made in one turn of the event loop.
 constexpr std::size_t kRowsAtOnce = 8;
+/// Lines of a list of objects; a longer one is scrolled.
+constexpr int kMostListLines = 6;
 
 /// A choice that the wheel does not change while the form is scrolled.
 class CalmComboBox : public QComboBox {
@@ -72,6 +75,16 @@ QString valueText(const Value& value) {
   return {};
 }
 
+/// The ids of a text like "a, b".
+QStringList idsOf(const Value& value) {
+  QStringList ids;
+  const QString text = value.isString() ? qt(value.asString()) : QString();
+  for (const QString& id : text.split(',', Qt::SkipEmptyParts)) {
+    ids.append(id.trimmed());
+  }
+  return ids;
+}
+
 QString limitsText(const ParamDef& def) {
   const bool low = std::isfinite(def.info.min);
   const bool high = std::isfinite(def.info.max);
@@ -89,17 +102,20 @@ QString limitsText(const ParamDef& def) {
   return {};
 }
 
-QString tipOf(const ParamDef& def) {
+QString tipOf(const ParamDef& def, bool isIndex) {
   QString tip = "<b>" + engineText(def.info.label).toHtmlEscaped() + "</b>";
   if (!def.info.help.empty()) {
     tip += "<br/>" + engineText(def.info.help).toHtmlEscaped();
   }
   const QString unit = qt(fileUnit(def.quantity));
-  const QString limits = limitsText(def);
+  const QString limits = isIndex ? QString() : limitsText(def);
   if (!limits.isEmpty()) {
     tip += "<br/>" + limits.toHtmlEscaped() + (unit.isEmpty() ? QString() : " " + unit);
   }
-  tip += "<br/>" + ParamForm::tr("Default: %1").arg(valueText(def.defaultValue).toHtmlEscaped()) +
+  const bool counts = isIndex && def.defaultValue.isInteger() && def.defaultValue.asInteger() >= 0;
+  const QString standard =
+      counts ? QString::number(def.defaultValue.asInteger() + 1) : valueText(def.defaultValue);
+  tip += "<br/>" + ParamForm::tr("Default: %1").arg(standard.toHtmlEscaped()) +
          (unit.isEmpty() ? QString() : " " + unit);
   tip += "<br/><code>" + qt(def.info.key).toHtmlEscaped() + "</code>";
   return tip;
@@ -158,14 +174,22 @@ void ParamForm::setSections(const std::string& identity,
   const auto sameKeys = [](const FormSection& a, const FormSection& b) {
     const auto& x = a.schema.defs();
     const auto& y = b.schema.defs();
-    return a.id == b.id && a.readOnly == b.readOnly && x.size() == y.size() &&
-           std::equal(x.begin(), x.end(), y.begin(), [](const ParamDef& p, const ParamDef& q) {
+    const auto sameChoices = [](const std::vector<ParamChoice>& c,
+                                const std::vector<ParamChoice>& d) {
+      return std::equal(c.begin(), c.end(), d.begin(), d.end(),
+                        [](const ParamChoice& p, const ParamChoice& q) {
+                          return p.key == q.key && p.label == q.label;
+                        });
+    };
+    return a.id == b.id && a.readOnly == b.readOnly && a.indices == b.indices &&
+           std::equal(a.lists.begin(), a.lists.end(), b.lists.begin(), b.lists.end(),
+                      [&](const auto& p, const auto& q) {
+                        return p.first == q.first && sameChoices(p.second, q.second);
+                      }) &&
+           x.size() == y.size() &&
+           std::equal(x.begin(), x.end(), y.begin(), [&](const ParamDef& p, const ParamDef& q) {
              return p.info.key == q.info.key && p.type == q.type && p.info.label == q.info.label &&
-                    std::equal(p.info.choices.begin(), p.info.choices.end(), q.info.choices.begin(),
-                               q.info.choices.end(),
-                               [](const ParamChoice& c, const ParamChoice& d) {
-                                 return c.key == d.key && c.label == d.label;
-                               });
+                    sameChoices(p.info.choices, q.info.choices);
            });
   };
   const bool same = identity == identity_ && sections.size() == sections_.size() &&
@@ -276,6 +300,11 @@ void ParamForm::addRow(const FormSection& section,
   row.section = section.id;
   row.def = def;
   row.readOnly = section.readOnly;
+  if (const auto list = section.lists.find(def.info.key); list != section.lists.end()) {
+    row.isList = true;
+    row.items = list->second;
+  }
+  row.isIndex = section.indices.count(def.info.key) != 0;
   row.group = group;
   row.box = new QWidget(body_);
   row.box->hide();
@@ -288,7 +317,7 @@ void ParamForm::fill(Row& row) {
     return;
   }
   const ParamDef& def = row.def;
-  const QString tip = tipOf(def);
+  const QString tip = tipOf(def, row.isIndex);
   const QString label = engineText(def.info.label);
   auto* lines = new QVBoxLayout(row.box);
   lines->setContentsMargins(10, 0, 0, 0);
@@ -334,9 +363,60 @@ void ParamForm::fill(Row& row) {
   showValue(row, true);
 }
 
+QString ParamForm::textOf(const Row& row) {
+  const bool counts = row.isIndex && row.value.isInteger() && row.value.asInteger() >= 0;
+  return counts ? QString::number(row.value.asInteger() + 1) : valueText(row.value);
+}
+
+QWidget* ParamForm::makeList(Row& row) {
+  auto* list = new QListWidget(row.box);
+  list->setSelectionMode(QAbstractItemView::SingleSelection);
+  const auto add = [list](const std::string& id, const QString& label) {
+    auto* item = new QListWidgetItem(label, list);
+    item->setData(Qt::UserRole, qt(id));
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(Qt::Unchecked);
+  };
+  for (const ParamChoice& choice : row.items) {
+    add(choice.key, qt(choice.label.empty() ? choice.key : choice.label));
+  }
+  // What is listed but not there can be unchecked.
+  for (const QString& id : idsOf(row.value)) {
+    const bool known = std::any_of(row.items.begin(), row.items.end(),
+                                   [&](const ParamChoice& choice) { return qt(choice.key) == id; });
+    if (!known) {
+      add(utf8(id), tr("%1 (missing)").arg(id));
+    }
+  }
+  const int lines = std::clamp(list->count(), 1, kMostListLines);
+  list->setFixedHeight(lines * std::max(list->sizeHintForRow(0), 18) + 2 * list->frameWidth() + 2);
+  connect(list, &QListWidget::itemChanged, this,
+          [this, section = row.section, key = row.def.info.key, list] {
+            const Row* own = find(section, key);
+            if (own == nullptr) {
+              return;
+            }
+            // The order of the file stays; what is new comes last.
+            QStringList ids = idsOf(own->value);
+            for (int i = 0; i < list->count(); ++i) {
+              const QString id = list->item(i)->data(Qt::UserRole).toString();
+              if (list->item(i)->checkState() != Qt::Checked) {
+                ids.removeAll(id);
+              } else if (!ids.contains(id)) {
+                ids.append(id);
+              }
+            }
+            emit edited(std::string(section), std::string(key), Value(utf8(ids.join(", "))));
+          });
+  return list;
+}
+
 QWidget* ParamForm::makeField(Row& row) {
   const std::string section = row.section;
   const std::string key = row.def.info.key;
+  if (row.isList) {
+    return makeList(row);
+  }
   switch (row.def.type) {
     case ParamType::Bool: {
       auto* box = new QCheckBox(row.box);
@@ -385,8 +465,8 @@ void ParamForm::commitText(const std::string& section,
                            const std::string& key,
                            const QString& text) {
   Row* row = find(section, key);
-  if (row == nullptr || row->readOnly || text == valueText(row->value)) {
-    if (row != nullptr && text == valueText(row->value)) {
+  if (row == nullptr || row->readOnly || text == textOf(*row)) {
+    if (row != nullptr && text == textOf(*row)) {
       row->error->hide();
     }
     return;
@@ -394,7 +474,14 @@ void ParamForm::commitText(const std::string& section,
   const auto found = std::find_if(sections_.begin(), sections_.end(),
                                   [&](const FormSection& s) { return s.id == section; });
   try {
-    const Value value = found->schema.parse(key, utf8(text.trimmed()));
+    Value value = found->schema.parse(key, utf8(text.trimmed()));
+    if (row->isIndex && value.isInteger() && value.asInteger() >= 0) {
+      if (value.asInteger() == 0) {
+        showError(section, key, tr("Counted from 1"));
+        return;
+      }
+      value = Value(value.asInteger() - 1);
+    }
     Value object = Value::object();
     object.set(key, value);
     const std::vector<ParamProblem> problems = found->schema.validate(object);
@@ -477,9 +564,15 @@ void ParamForm::showValue(Row& row, bool changed) {
       index = combo->count() - 1;
     }
     combo->setCurrentIndex(index);
+  } else if (auto* list = qobject_cast<QListWidget*>(row.field)) {
+    const QStringList ids = idsOf(row.value);
+    for (int i = 0; i < list->count(); ++i) {
+      const bool on = ids.contains(list->item(i)->data(Qt::UserRole).toString());
+      list->item(i)->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    }
   } else if (auto* line = qobject_cast<QLineEdit*>(row.field)) {
     if (changed || !line->hasFocus()) {
-      line->setText(valueText(row.value));
+      line->setText(textOf(row));
       line->setCursorPosition(0);
     }
   }

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct FormSection {
   ParamSchema schema;
   Value values;  ///< sparse object
   bool readOnly = false;
+  /// Parameters whose text is a list of ids: what there is to choose from. Its label is shown, its
+  /// key is stored.
+  std::map<std::string, std::vector<ParamChoice>> lists = {};
+  /// Indices that files count from 0 and people from 1; negative ones are the same in both.
+  std::set<std::string> indices = {};
 };
 
 /// A form made from schemas: search, groups, levels, units, limits, errors at their fields, reset
@@ -76,7 +82,10 @@ private:
     QToolButton* reset = nullptr;
     QToolButton* group = nullptr;
     Value value;
-    QString problem;  ///< with the value of the document
+    QString problem;                 ///< with the value of the document
+    std::vector<ParamChoice> items;  ///< to choose from
+    bool isList = false;
+    bool isIndex = false;
     bool shown = false;
     bool isSet = false;
     bool enabled = true;
@@ -93,6 +102,8 @@ private:
   void buildSome(std::size_t most);
   void buildRest();
   QWidget* makeField(Row& row);
+  QWidget* makeList(Row& row);
+  [[nodiscard]] static QString textOf(const Row& row);
   void takeValues();
   void showValue(Row& row, bool changed);
   void filter();

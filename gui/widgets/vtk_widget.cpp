@@ -150,6 +150,8 @@ void VtkWidget::draw() {
 void VtkWidget::paintGL() {
   if (!shown_ || shown_->size() != pixels()) {
     drawWhole();
+  } else if (changed_) {
+    draw_.start(0);  // it changed while it was hidden
   }
   makeCurrent();
   QOpenGLExtraFunctions* gl = context()->extraFunctions();
