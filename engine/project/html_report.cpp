@@ -219,7 +219,8 @@ std::string editRows(const Operation& operation) {
   std::string html = "<table><tr><th>Edit</th><th>What</th><th>Settings</th><th></th></tr>";
   for (const OperationEdit& edit : operation.edits) {
     std::string settings;
-    for (const ParamDef& def : toolpath::editSchema(edit.type).params().defs()) {
+    const ParamSchema schema = toolpath::editSchema(edit.type).params();
+    for (const ParamDef& def : schema.defs()) {
       const Value* value = edit.params.find(def.info.key);
       if (value != nullptr && !value->isNull()) {
         const std::string unit = fileUnit(def.quantity);

@@ -40,7 +40,8 @@ struct BeadSolid {
 
 BeadSolid beadSolid(const PathData& path, const ChunkRange& chunk);
 
-/// The same as lines: one per depositing move (or, with `travel`, one per other move).
+/// The same as lines: one per depositing move (or, with `travel`, one per other move). Of `stride`
+/// points of a bead one is kept, and its ends.
 struct BeadLines {
   std::vector<float> positions;
   std::vector<std::uint32_t> moveOfVertex;
@@ -49,6 +50,9 @@ struct BeadLines {
   std::vector<std::uint32_t> linesUpTo;
 };
 
-BeadLines beadLines(const PathData& path, const ChunkRange& chunk, bool travel);
+BeadLines beadLines(const PathData& path,
+                    const ChunkRange& chunk,
+                    bool travel,
+                    std::size_t stride = 1);
 
 }  // namespace wcam::viewport

@@ -26,6 +26,8 @@ constexpr std::size_t kCoarseTriangles = 10000;
 constexpr std::size_t kPieceTriangles = 8000;
 /// Moves that are drawn as one object of solids: the same, with 16 triangles each.
 constexpr std::size_t kSolidMoves = 512;
+/// Of so many points of a long path one is drawn while things move.
+constexpr std::size_t kFewStride = 4;
 
 PreparedChunk chunkOf(const ChunkRange& range, BeadSolid built) {
   PreparedChunk chunk;
@@ -61,7 +63,8 @@ std::vector<PreparedChunk> prepareChunks(const PathData& path, ChunkKind kind) {
        chunksOf(path, kind == ChunkKind::Solid ? kSolidMoves : kChunkMoves)) {
     chunks.push_back(kind == ChunkKind::Solid
                          ? chunkOf(range, beadSolid(path, range))
-                         : chunkOf(range, beadLines(path, range, kind == ChunkKind::Travel)));
+                         : chunkOf(range, beadLines(path, range, kind == ChunkKind::Travel,
+                                                    kind == ChunkKind::FewLines ? kFewStride : 1)));
   }
   return chunks;
 }
@@ -100,10 +103,10 @@ std::shared_ptr<const PreparedMesh> prepare(MeshData mesh) {
 std::shared_ptr<PreparedPath> prepare(std::shared_ptr<const PathData> path) {
   auto prepared = std::make_shared<PreparedPath>();
   prepared->data = std::move(path);
-  prepared->lines = prepareChunks(*prepared->data, ChunkKind::Lines);
-  if (!prepared->onlyLines()) {
-    prepared->solids = prepareChunks(*prepared->data, ChunkKind::Solid);
-  }
+  const bool onlyLines = prepared->onlyLines();
+  prepared->fine = prepareChunks(*prepared->data, onlyLines ? ChunkKind::Lines : ChunkKind::Solid);
+  prepared->coarse =
+      prepareChunks(*prepared->data, onlyLines ? ChunkKind::FewLines : ChunkKind::Lines);
   return prepared;
 }
 

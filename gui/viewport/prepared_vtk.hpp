@@ -34,14 +34,14 @@ struct PreparedChunk {
   bool isLines = false;
 };
 
-enum class ChunkKind { Solid, Lines, Travel };
+enum class ChunkKind { Solid, Lines, FewLines, Travel };
 std::vector<PreparedChunk> prepareChunks(const PathData& path, ChunkKind kind);
 
 class PreparedPath {
 public:
   std::shared_ptr<const PathData> data;
-  std::vector<PreparedChunk> solids;
-  std::vector<PreparedChunk> lines;
+  std::vector<PreparedChunk> fine;    ///< solids, or lines when there are only lines
+  std::vector<PreparedChunk> coarse;  ///< lines, of fewer points when there are only lines
   std::vector<PreparedChunk> travel;  ///< made when they are needed first
 
   [[nodiscard]] bool onlyLines() const;

@@ -338,7 +338,7 @@ std::array<double, 6> Scene::bounds() const {
   for (const PartItem& part : impl_->parts) {
     part.forSurface(grow);
   }
-  for (const auto* list : {&impl_->solids, &impl_->lines}) {
+  for (const auto* list : {&impl_->fine, &impl_->coarse}) {
     for (const Chunk& chunk : *list) {
       grow(chunk.actor);
     }

@@ -96,8 +96,8 @@ public:
   [[nodiscard]] Pick pickEdge(const Ray& ray) const;
   [[nodiscard]] Pick pickFace(const Ray& ray) const;
 
-  /// Number of solid or only chunks whose cells were given to VTK since the start: tells tests what
-  /// a change costs.
+  /// Number of chunks in full detail whose cells were given to VTK since the start: tells tests
+  /// what a change costs.
   [[nodiscard]] std::size_t uploads() const;
 
   // What a frame draws. A picture in full detail may take too long for one: then portions of it are

@@ -65,8 +65,8 @@ struct Scene::Impl {
   vtkSmartPointer<vtkActor> markedEdges;
 
   std::shared_ptr<PreparedPath> path;
-  std::vector<Chunk> solids;
-  std::vector<Chunk> lines;
+  std::vector<Chunk> fine;
+  std::vector<Chunk> coarse;
   std::vector<Chunk> travel;
   std::vector<std::uint8_t> colours;
   std::size_t begin = 0;
@@ -133,7 +133,7 @@ struct Scene::Impl {
         visit(part.edges.Get());
       }
     }
-    for (auto* list : {&solids, &lines, &travel}) {
+    for (auto* list : {&fine, &coarse, &travel}) {
       for (Chunk& chunk : *list) {
         visit(chunk.actor.Get());
       }

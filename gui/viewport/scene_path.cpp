@@ -76,24 +76,27 @@ void Scene::Impl::addChunks(std::vector<PreparedChunk>& prepared, std::vector<Ch
 }
 
 void Scene::Impl::makePath() {
-  addChunks(path->solids, solids);
-  addChunks(path->lines, lines);
-  for (Chunk& chunk : solids) {
-    details[chunk.actor] = Detail::Fine;
+  addChunks(path->fine, fine);
+  addChunks(path->coarse, coarse);
+  const auto finish = [this](Chunk& chunk, Detail detail) {
+    details[chunk.actor] = detail;
     vtkProperty* property = chunk.actor->GetProperty();
-    property->SetAmbient(0.22);
-    property->SetDiffuse(0.8);
-    property->SetSpecular(0.1);
-    property->SetSpecularPower(12.0);
-    colour(chunk);
-  }
-  for (Chunk& chunk : lines) {
-    if (!asLines()) {
-      details[chunk.actor] = Detail::Coarse;
+    if (chunk.prepared->isLines) {
+      property->SetLineWidth(2.0F);
+      property->SetLighting(false);
+    } else {
+      property->SetAmbient(0.22);
+      property->SetDiffuse(0.8);
+      property->SetSpecular(0.1);
+      property->SetSpecularPower(12.0);
     }
-    chunk.actor->GetProperty()->SetLineWidth(2.0F);
-    chunk.actor->GetProperty()->SetLighting(false);
     colour(chunk);
+  };
+  for (Chunk& chunk : fine) {
+    finish(chunk, Detail::Fine);
+  }
+  for (Chunk& chunk : coarse) {
+    finish(chunk, Detail::Coarse);
   }
 }
 
@@ -138,24 +141,22 @@ void Scene::Impl::showPath() {
   if (travelVisible && travel.empty()) {
     makeTravel();
   }
-  for (Chunk& chunk : solids) {
+  for (Chunk& chunk : fine) {
     show(chunk, true);
   }
   const std::size_t before = uploads;
-  for (Chunk& chunk : lines) {
+  for (Chunk& chunk : coarse) {
     show(chunk, true);
   }
-  if (!asLines()) {
-    uploads = before;
-  }
+  uploads = before;  // of what stands for it
   for (Chunk& chunk : travel) {
     show(chunk, travelVisible);
   }
 }
 
 void Scene::setPath(std::shared_ptr<PreparedPath> path) {
-  impl_->clear(impl_->solids);
-  impl_->clear(impl_->lines);
+  impl_->clear(impl_->fine);
+  impl_->clear(impl_->coarse);
   impl_->clear(impl_->travel);
   impl_->path = std::move(path);
   impl_->colours.clear();
@@ -169,7 +170,7 @@ void Scene::setPath(std::shared_ptr<PreparedPath> path) {
 
 void Scene::setPathColours(const std::vector<std::uint8_t>& colours) {
   impl_->colours = colours;
-  for (auto* list : {&impl_->solids, &impl_->lines}) {
+  for (auto* list : {&impl_->fine, &impl_->coarse}) {
     for (Chunk& chunk : *list) {
       impl_->colour(chunk);
     }

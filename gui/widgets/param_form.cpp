@@ -371,6 +371,9 @@ QString ParamForm::textOf(const Row& row) {
 QWidget* ParamForm::makeList(Row& row) {
   auto* list = new QListWidget(row.box);
   list->setSelectionMode(QAbstractItemView::SingleSelection);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list->setTextElideMode(Qt::ElideMiddle);
+  list->setWordWrap(false);
   const auto add = [list](const std::string& id, const QString& label) {
     auto* item = new QListWidgetItem(label, list);
     item->setData(Qt::UserRole, qt(id));

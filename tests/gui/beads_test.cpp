@@ -96,6 +96,15 @@ TEST(Scene, ManyMovesAreDrawnAsLines) {
   const auto path = samplePath(60, 4000);
   scene.setPath(path->prepared());
   EXPECT_TRUE(scene.drawsLines());
+  // While it is scrubbed a part of the points stands for all, ends of beads among them.
+  EXPECT_LT(scene.triangles(Scene::Detail::Coarse), 0.3 * scene.triangles(Scene::Detail::Fine));
+  const PathData& data = *path->data();
+  const ChunkRange chunk = chunksOf(data).front();
+  const BeadLines few = beadLines(data, chunk, false, 4);
+  ASSERT_EQ(few.linesUpTo.size(), chunk.end - chunk.begin);
+  EXPECT_EQ(few.linesUpTo.back() + 1, few.offsets.size());
+  EXPECT_EQ(few.moveOfVertex.front(), 1U);
+  EXPECT_EQ(few.moveOfVertex.back(), chunk.end - 1);
 }
 
 TEST(Scene, NoPortionOfAPictureHasMoreThanAFrameHolds) {
