@@ -60,10 +60,10 @@ void addCap(BeadSolid& solid, long long first, bool reversed) {
 
 }  // namespace
 
-std::vector<ChunkRange> chunksOf(const PathData& path, std::size_t most) {
+std::vector<ChunkRange> chunksOf(const PathData& path, std::size_t most, bool across) {
   std::vector<ChunkRange> chunks;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (chunks.empty() || chunks.back().layer != path.layers[i] ||
+    if (chunks.empty() || (!across && chunks.back().layer != path.layers[i]) ||
         chunks.back().end - chunks.back().begin >= most) {
       chunks.push_back({i, i, path.layers[i]});
     }

@@ -16,15 +16,18 @@ inline constexpr int kSectionCorners = 8;
 /// enough that a million moves make few objects.
 inline constexpr std::size_t kChunkMoves = 4096;
 
-/// A range of moves [begin, end) of one layer.
+/// A range of moves [begin, end), and the layer in which it begins.
 struct ChunkRange {
   std::size_t begin = 0;
   std::size_t end = 0;
   std::uint32_t layer = 0;
 };
 
-/// Cuts a path into chunks: a new one with every layer and after `most` moves.
-std::vector<ChunkRange> chunksOf(const PathData& path, std::size_t most = kChunkMoves);
+/// Cuts a path into chunks: a new one after `most` moves and, unless `across` layers, with every
+/// layer.
+std::vector<ChunkRange> chunksOf(const PathData& path,
+                                 std::size_t most = kChunkMoves,
+                                 bool across = false);
 
 /// The solid beads of a chunk. The first section stands at the end of the move before the chunk, so
 /// that chunks join. Polygons come in the order of the moves.

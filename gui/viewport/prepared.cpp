@@ -26,6 +26,9 @@ constexpr std::size_t kCoarseTriangles = 10000;
 constexpr std::size_t kPieceTriangles = 8000;
 /// Moves that are drawn as one object of solids: the same, with 16 triangles each.
 constexpr std::size_t kSolidMoves = 512;
+/// The same of lines, which cost little: an object itself costs more. A range of layers is a range
+/// of moves, so these may go across layers.
+constexpr std::size_t kLineMoves = 16384;
 /// Of so many points of a long path one is drawn while things move.
 constexpr std::size_t kFewStride = 4;
 
@@ -59,8 +62,8 @@ PreparedChunk chunkOf(const ChunkRange& range, BeadLines built) {
 
 std::vector<PreparedChunk> prepareChunks(const PathData& path, ChunkKind kind) {
   std::vector<PreparedChunk> chunks;
-  for (const ChunkRange& range :
-       chunksOf(path, kind == ChunkKind::Solid ? kSolidMoves : kChunkMoves)) {
+  const bool solid = kind == ChunkKind::Solid;
+  for (const ChunkRange& range : chunksOf(path, solid ? kSolidMoves : kLineMoves, !solid)) {
     chunks.push_back(kind == ChunkKind::Solid
                          ? chunkOf(range, beadSolid(path, range))
                          : chunkOf(range, beadLines(path, range, kind == ChunkKind::Travel,

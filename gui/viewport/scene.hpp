@@ -51,6 +51,7 @@ public:
   void setMarkedEdges(const std::vector<std::pair<int, int>>& edges);
 
   // The path.
+  /// Without colours until they are set.
   void setPath(std::shared_ptr<PreparedPath> path);
   /// Three bytes per move.
   void setPathColours(const std::vector<std::uint8_t>& colours);

@@ -90,7 +90,6 @@ void Scene::Impl::makePath() {
       property->SetSpecular(0.1);
       property->SetSpecularPower(12.0);
     }
-    colour(chunk);
   };
   for (Chunk& chunk : fine) {
     finish(chunk, Detail::Fine);

@@ -3,6 +3,7 @@
 
 #include "vtk_widget.hpp"
 
+#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -20,6 +21,8 @@ namespace {
 constexpr double kClickReach = 4.0;
 constexpr int kHoverMs = 120;
 constexpr int kStillMs = 250;
+// What was drawn in less is shown in the same turn of the event loop, ms.
+constexpr int kQuickMs = 15;
 constexpr int kComposeMs = 4;
 constexpr double kKeyTurn = 30.0;  // pixels of the mouse that an arrow key stands for
 
@@ -129,6 +132,8 @@ void VtkWidget::draw() {
   if (!view_->ready() || !isVisible()) {
     return;  // it is drawn when it is painted
   }
+  QElapsedTimer clock;
+  clock.start();
   makeCurrent();
   bool complete = true;
   if (!changed_ || !drawWhole()) {
@@ -140,7 +145,9 @@ void VtkWidget::draw() {
     }
   }
   doneCurrent();
-  if (complete) {
+  if (complete && clock.elapsed() < kQuickMs) {
+    update();
+  } else if (complete) {
     compose_.start();
   } else {
     draw_.start(0);
