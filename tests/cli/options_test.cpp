@@ -115,7 +115,8 @@ TEST_F(Options, ReportForPeopleListsTheEdits) {
   edit({"pause", "--set", "time=30", "--set", "first_layer=3", "--set", "last_layer=-1"});
   edit({"set_speed", "--id", "slow", "--set", "region=sphere", "--set", "centre=1, 0, 2",
         "--disable"});
-  ASSERT_EQ(camcli({"--project", project, "--output", "out", "--report", "edits.html"}).exitCode, 0);
+  ASSERT_EQ(camcli({"--project", project, "--output", "out", "--report", "edits.html"}).exitCode,
+            0);
   const std::string page = readFile(folder_ / "edits.html");
   // Layers count from 1, as in the findings.
   EXPECT_THAT(page, HasSubstr("<tr><td>pause</td><td>Pause</td><td>First layer: 4<br>Last layer: "
