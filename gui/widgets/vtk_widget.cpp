@@ -24,6 +24,9 @@ constexpr int kStillMs = 250;
 // What was drawn in less is shown in the same turn of the event loop, ms.
 constexpr int kQuickMs = 15;
 constexpr int kComposeMs = 4;
+// Results change other widgets as well: those are painted first, in a turn of their own, ms.
+constexpr int kAfterMs = 5;
+constexpr int kPortionMs = 1;
 constexpr double kKeyTurn = 30.0;  // pixels of the mouse that an arrow key stands for
 
 }  // namespace
@@ -95,7 +98,7 @@ void VtkWidget::resizeGL(int /*width*/, int /*height*/) {
 void VtkWidget::request(bool moving) {
   changed_ = true;
   moving_ = moving_ || moving || portions_ || still_.isActive();
-  draw_.start(0);
+  draw_.start(moving_ ? 0 : kAfterMs);
 }
 
 void VtkWidget::keep() {
@@ -150,7 +153,7 @@ void VtkWidget::draw() {
   } else if (complete) {
     compose_.start();
   } else {
-    draw_.start(0);
+    draw_.start(kPortionMs);
   }
 }
 
