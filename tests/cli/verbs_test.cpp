@@ -236,7 +236,7 @@ TEST_P(CompletionOf, IsAccepted) {
   // zsh runs the same function through bashcompinit.
   const ProcessResult syntax = bash("bash -n ./script");
   EXPECT_EQ(syntax.exitCode, 0) << syntax.err;
-  EXPECT_THAT(script.out, HasSubstr("_camcli camcli"));
+  EXPECT_THAT(script.out, HasSubstr("complete -o filenames -F _camcli"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shells, CompletionOf, ::testing::Values("bash", "zsh"));
@@ -248,6 +248,9 @@ TEST_F(Completion, GivesVerbsOptionsAndComponents) {
   EXPECT_EQ(completed("camcli apply --out", 2), "--output\n");
   EXPECT_THAT(completed("camcli new --", 2), HasSubstr("--part"));
   EXPECT_THAT(completed("camcli new --", 2), Not(HasSubstr("--table")));
+  // Each option once, those of the inner verbs with them.
+  EXPECT_EQ(completed("camcli edit --ind", 2), "--index\n");
+  EXPECT_EQ(completed("camcli edit --qui", 2), "--quiet\n");
   EXPECT_EQ(completed("camcli plugins l", 2), "list\n");
   EXPECT_EQ(completed("camcli completion z", 2), "zsh\n");
   EXPECT_THAT(completed("camcli schema wcam.slicing.", 2), HasSubstr("wcam.slicing.planar"));
