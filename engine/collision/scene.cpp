@@ -123,8 +123,8 @@ Scene::Frame Scene::frameOf(const std::string& name) const {
       return {j + 1, Pose::Identity()};
     }
   }
-  throw Error(ErrorCode::ProjectInvalid, "the cell has no frame '" + name + "'",
-              "cell " + cell_.name, "name world, base, a joint, flange, tcp or table");
+  throw Error(ErrorCode::ProjectInvalid, text("the cell has no frame '%1'", {name}),
+              text("cell %1", {cell_.name}), "name world, base, a joint, flange, tcp or table");
 }
 
 void Scene::addItem(

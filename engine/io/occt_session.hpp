@@ -58,11 +58,12 @@ auto guardOcct(const std::string& file, const char* act, const JobContext& conte
     return work();
   } catch (const Standard_Failure& failure) {
     context.check();  // a break may surface as a failure
-    const char* text = failure.GetMessageString();
+    const char* message = failure.GetMessageString();
+    const std::string tail =
+        message != nullptr && *message != '\0' ? std::string(": ") + message : std::string();
     throw Error(ErrorCode::InputInvalid,
-                std::string(act) + " failed: " + failure.DynamicType()->Name() +
-                    (text != nullptr && *text != '\0' ? std::string(": ") + text : ""),
-                file, "check the part in the CAD system and export it again");
+                wcam::text("%1 failed: %2%3", {act, failure.DynamicType()->Name(), tail}), file,
+                "check the part in the CAD system and export it again");
   }
 }
 

@@ -262,7 +262,7 @@ void ImportDialog::show(const io::ImportedPart& part, const std::vector<Diagnost
   };
   row(tr("Format"), qt(r.format));
   row(tr("Unit"),
-      r.unitReason.empty() ? qt(r.unit) : tr("%1 (%2)").arg(qt(r.unit), qt(r.unitReason)));
+      r.unitReason.empty() ? qt(r.unit) : tr("%1 (%2)").arg(qt(r.unit), engineText(r.unitReason)));
   row(tr("Size"), QString("%1 × %2 × %3 mm")
                       .arg(size.x(), 0, 'f', 2)
                       .arg(size.y(), 0, 'f', 2)

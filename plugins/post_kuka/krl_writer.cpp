@@ -181,7 +181,7 @@ private:
     if (digits == 0 || metres > kFastest) {
       throw Error(
           ErrorCode::JobFailed,
-          "a speed of " + wcam::formatFixed(speed, 6) + " mm/s cannot be written to $VEL.CP",
+          wcam::text("a speed of %1 mm/s cannot be written to $VEL.CP", {wcam::formatFixed(speed, 6)}),
           program_.name, "use speeds up to 3 m/s, and more decimals for slow ones");
     }
     if (pathSpeed_.changes(digits)) {
