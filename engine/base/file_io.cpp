@@ -42,9 +42,9 @@ private:
 };
 
 [[noreturn]] void cannotWrite(const std::filesystem::path& file, int error) {
-  const char* hint = error == ENOSPC   ? "free some space on the disk and try again"
-                     : error == EACCES ? "choose a folder that you may write to"
-                                       : "choose another place";
+  const Text hint = text(error == ENOSPC   ? "free some space on the disk and try again"
+                         : error == EACCES ? "choose a folder that you may write to"
+                                           : "choose another place");
   throw Error(ErrorCode::OutputConflict, text("cannot be written: %1", {causeOf(error)}),
               pathText(file), hint);
 }

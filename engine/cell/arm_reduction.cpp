@@ -21,20 +21,20 @@ constexpr double kDistanceTolerance = 1e-7;
 /// A length below this (mm) has no usable sign or direction.
 constexpr double kNoLength = 1e-6;
 
-[[noreturn]] void fail(const char* what, double by, const char* unit) {
+[[noreturn]] void fail(const Text& what, double by, const char* unit) {
   throw Error(ErrorCode::ProjectInvalid,
               text("%1 (off by %2 %3)", {what, formatFixed(by, 6), std::string(unit)}), "robot",
               "the closed-form inverse kinematics needs axes 2 and 3 parallel, both at a right "
               "angle to axes 1 and 4, and axes 4, 5, 6 meeting at right angles in one point");
 }
 
-void requireAngle(double deviation, const char* what) {
+void requireAngle(double deviation, const Text& what) {
   if (!(std::abs(deviation) <= kAngleTolerance)) {
     fail(what, radToDeg(std::abs(deviation)), "deg");
   }
 }
 
-void requireDistance(double deviation, const char* what) {
+void requireDistance(double deviation, const Text& what) {
   if (!(std::abs(deviation) <= kDistanceTolerance)) {
     fail(what, std::abs(deviation), "mm");
   }

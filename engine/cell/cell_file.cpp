@@ -40,7 +40,7 @@ void readZeroConventions(Reader& reader, const Value& robot, Cell& cell) {
     }
     const std::string path = "robot.zero_conventions." + name;
     if (!offsets.isArray() || offsets.size() != cell.robot.joints.size()) {
-      reader.problem(path, text("expected a list of %1 offsets, one per joint",
+      reader.problem(path, wcam::text("expected a list of %1 offsets, one per joint",
                                 {std::to_string(cell.robot.size())}));
       continue;
     }
@@ -105,7 +105,7 @@ void readPositioner(Reader& reader, const Value& file, Cell& cell) {
   cell.T_table_part = reader.pose(*positioner, "positioner", "T_table_part", false);
   readJoints(reader, *positioner, "positioner", cell.positioner);
   if (cell.positioner.size() > kMaxPositionerJoints) {
-    reader.problem("positioner.joints", text("expected 0, 1 or 2 joints, got %1",
+    reader.problem("positioner.joints", wcam::text("expected 0, 1 or 2 joints, got %1",
                                              {std::to_string(cell.positioner.size())}));
   }
 }
@@ -126,7 +126,7 @@ void readConfiguration(Reader& reader, const Value& file, Cell& cell) {
   if (text == "part_carried") {
     cell.configuration = Configuration::PartCarried;
   } else if (text != "torch_carried" && !text.empty()) {
-    reader.problem("configuration", text("'%1' is neither torch_carried nor part_carried", {text}));
+    reader.problem("configuration", wcam::text("'%1' is neither torch_carried nor part_carried", {text}));
   }
 }
 
@@ -135,12 +135,12 @@ void checkVersion(const Value& file, const Text& contextName) {
   if (version == nullptr || !version->isInteger() || version->asInteger() < 1) {
     throw Error(
         ErrorCode::ProjectInvalid,
-        text("format_version: expected the integer %1", {std::to_string(Cell::kFormatVersion)}),
+        wcam::text("format_version: expected the integer %1", {std::to_string(Cell::kFormatVersion)}),
         contextName, "this does not look like a cell file");
   }
   if (version->asInteger() > Cell::kFormatVersion) {
     throw Error(ErrorCode::ProjectInvalid,
-                text("the cell file has format version %1; this program reads versions up to %2",
+                wcam::text("the cell file has format version %1; this program reads versions up to %2",
                      {std::to_string(version->asInteger()), std::to_string(Cell::kFormatVersion)}),
                 contextName, "use a newer program");
   }
@@ -178,7 +178,7 @@ void checkNames(Reader& reader, const Cell& cell) {
     const std::string& name = cell.joint(j).name;
     if (!name.empty() && !names.insert(name).second) {
       reader.problem(j < cell.robotJoints() ? "robot.joints" : "positioner.joints",
-                     text("the joint name '%1' is used twice", {name}));
+                     wcam::text("the joint name '%1' is used twice", {name}));
     }
   }
 }
@@ -194,7 +194,7 @@ int jointIndex(const Cell& cell, const std::string& name) {
 
 void readSum(Reader& reader, const Value& value, const std::string& path, Cell& cell) {
   if (!value.isObject()) {
-    reader.problem(path, text("expected an object, got %1", {toString(value.type())}));
+    reader.problem(path, wcam::text("expected an object, got %1", {toString(value.type())}));
     return;
   }
   reader.knownKeys(value, path, {"name", "joints", "limits"});
@@ -233,7 +233,7 @@ void readSums(Reader& reader, const Value& file, Cell& cell) {
     return;
   }
   if (!sums->isArray()) {
-    reader.problem("sum_limits", text("expected a list, got %1", {toString(sums->type())}));
+    reader.problem("sum_limits", wcam::text("expected a list, got %1", {toString(sums->type())}));
     return;
   }
   for (std::size_t i = 0; i < sums->size(); ++i) {
@@ -266,7 +266,7 @@ void readOther(Reader& reader,
     // A cell that was copied alone works; only one remedy fewer is tried.
     context.add({Severity::Information,
                  "cell.other_configuration_missing",
-                 text("the cell's other_configuration %1 does not exist", {pathText(*other)}),
+                 wcam::text("the cell's other_configuration %1 does not exist", {pathText(*other)}),
                  "copy it beside the cell file, or remove the key",
                  {},
                  {}});
@@ -275,10 +275,10 @@ void readOther(Reader& reader,
   try {
     const std::string name = pathText(*other);
     cell.other = std::make_shared<const Cell>(
-        readCell(parseJson(readFile(*other), name), text("cell file %1", {name}),
+        readCell(parseJson(readFile(*other), name), wcam::text("cell file %1", {name}),
                  context.withOwnDiagnostics(), other->parent_path(), false));
     if (cell.other->configuration == cell.configuration) {
-      reader.problem("other_configuration", text("%1 has the same configuration", {name}));
+      reader.problem("other_configuration", wcam::text("%1 has the same configuration", {name}));
     }
   } catch (const CancelledError&) {
     throw;
@@ -294,7 +294,7 @@ Cell readCell(const Value& value,
               bool withOther) {
   if (!value.isObject()) {
     throw Error(ErrorCode::ProjectInvalid,
-                text("expected an object, got %1", {toString(value.type())}), contextName,
+                wcam::text("expected an object, got %1", {toString(value.type())}), contextName,
                 "this does not look like a cell file");
   }
   checkVersion(value, contextName);
@@ -349,7 +349,7 @@ Cell cellFromValue(const Value& value,
 
 Cell loadCell(const std::filesystem::path& file, const JobContext& context) {
   const std::string name = pathText(file);
-  return cellFromValue(parseJson(readFile(file), name), text("cell file %1", {name}), context,
+  return cellFromValue(parseJson(readFile(file), name), wcam::text("cell file %1", {name}), context,
                        file.has_parent_path() ? file.parent_path() : ".");
 }
 

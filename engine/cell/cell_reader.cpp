@@ -37,7 +37,7 @@ const Value* Reader::object(const Value& parent,
   const Value* value = member(parent, parentPath, key, required);
   if (value != nullptr && !value->isObject()) {
     problem(joinPath(parentPath, key),
-            text("expected an object, got %1", {toString(value->type())}));
+            wcam::text("expected an object, got %1", {toString(value->type())}));
     return nullptr;
   }
   return value;
@@ -56,8 +56,8 @@ const Value* Reader::member(const Value& parent,
 
 double Reader::number(const Value& value, const std::string& path, double fallback) {
   if (!value.isNumber() || !std::isfinite(value.asReal())) {
-    problem(path, value.isNumber() ? text("is not a finite number")
-                                   : text("expected a number, got %1", {toString(value.type())}));
+    problem(path, value.isNumber() ? wcam::text("is not a finite number")
+                                   : wcam::text("expected a number, got %1", {toString(value.type())}));
     return fallback;
   }
   return value.asReal();
@@ -94,7 +94,7 @@ std::string Reader::text(const Value& parent,
     return {};
   }
   if (!value->isString()) {
-    problem(joinPath(parentPath, key), text("expected a text, got %1", {toString(value->type())}));
+    problem(joinPath(parentPath, key), wcam::text("expected a text, got %1", {toString(value->type())}));
     return {};
   }
   if (required && value->asString().empty()) {
@@ -140,8 +140,8 @@ Eigen::Matrix3d Reader::orthonormal(const Eigen::Matrix3d& printed, const std::s
   const double deviation = gram.cwiseAbs().maxCoeff();
   if (!(deviation <= kNotARotation) || printed.determinant() <= 0.0) {
     problem(path, printed.determinant() <= 0.0 && deviation <= kNotARotation
-                      ? text("the axes are left-handed")
-                      : text("the axes are not perpendicular unit vectors (off by %1)",
+                      ? wcam::text("the axes are left-handed")
+                      : wcam::text("the axes are not perpendicular unit vectors (off by %1)",
                              {formatFixed(deviation, 4)}));
     return Eigen::Matrix3d::Identity();
   }
@@ -149,7 +149,7 @@ Eigen::Matrix3d Reader::orthonormal(const Eigen::Matrix3d& printed, const std::s
   if (deviation > kOrthonormal) {
     job_.add({Severity::Warning,
               "cell.frame_not_orthonormal",
-              text("%1: the printed axes of %2 are not perpendicular unit vectors; the nearest "
+              wcam::text("%1: the printed axes of %2 are not perpendicular unit vectors; the nearest "
                    "rotation is used",
                    {contextName_, path}),
               "write the axes with more digits or as angles",
@@ -257,7 +257,7 @@ std::array<double, 2> readRange(Reader& reader,
                                 const std::string& path,
                                 const std::string& unit) {
   if (!value.isArray() || value.size() != 2) {
-    reader.problem(path, text("expected [min, max] in %1", {unit}));
+    reader.problem(path, wcam::text("expected [min, max] in %1", {unit}));
     return {-1.0, 1.0};
   }
   const std::array<double, 2> range = {reader.number(value.asArray()[0], path + "[0]"),

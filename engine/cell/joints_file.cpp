@@ -53,7 +53,7 @@ void readType(Reader& reader, const Value& value, const std::string& path, Joint
     joint.type = JointType::Prismatic;
   } else if (type != "revolute" && value.find("type")->isString()) {
     reader.problem(joinPath(path, "type"),
-                   text("is neither revolute nor prismatic, but '%1'", {type}));
+                   wcam::text("is neither revolute nor prismatic, but '%1'", {type}));
   }
 }
 
@@ -86,7 +86,7 @@ Joint readJoint(Reader& reader,
                 const std::vector<Joint>& before) {
   Joint joint;
   if (!value.isObject()) {
-    reader.problem(path, text("expected an object, got %1", {toString(value.type())}));
+    reader.problem(path, wcam::text("expected an object, got %1", {toString(value.type())}));
     return joint;
   }
   reader.knownKeys(
@@ -128,7 +128,7 @@ void readJoints(Reader& reader, const Value& parent, const std::string& path, Ch
   }
   const std::string place = joinPath(path, "joints");
   if (!joints->isArray()) {
-    reader.problem(place, text("expected a list, got %1", {toString(joints->type())}));
+    reader.problem(place, wcam::text("expected a list, got %1", {toString(joints->type())}));
     return;
   }
   for (std::size_t i = 0; i < joints->size(); ++i) {

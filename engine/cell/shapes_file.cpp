@@ -52,7 +52,7 @@ public:
 
   std::optional<Shape> read(const Value& value, const std::string& path, const char* frame) {
     if (!value.isObject()) {
-      reading_.problem(path, text("expected an object, got %1", {toString(value.type())}));
+      reading_.problem(path, wcam::text("expected an object, got %1", {toString(value.type())}));
       return std::nullopt;
     }
     good_ = true;
@@ -73,7 +73,7 @@ public:
       readMesh(value, path, shape);
     } else if (!type.empty()) {
       problem(path + ".type",
-              text("'%1' is not one of sphere, capsule, cylinder, box and mesh", {type}));
+              wcam::text("'%1' is not one of sphere, capsule, cylinder, box and mesh", {type}));
     }
     return good_ ? std::optional<Shape>(std::move(shape)) : std::nullopt;
   }
@@ -86,7 +86,7 @@ private:
 
   void checkFrame(const std::string& path, const std::string& frame) {
     if (std::find(reading_.frames.begin(), reading_.frames.end(), frame) == reading_.frames.end()) {
-      problem(path, text("the cell has no frame '%1'; it has %2",
+      problem(path, wcam::text("the cell has no frame '%1'; it has %2",
                          {frame, joinText(reading_.frames, ", ")}));
     }
   }
@@ -214,7 +214,7 @@ private:
                                                    io::ImportOptions{}, Pose::Identity(), context_);
       shape.mesh = std::make_shared<const geometry::TriangleMesh>(part.surface->mesh);
       if (shape.mesh->triangles.empty()) {
-        problem(path + ".file", text("the mesh '%1' has no triangles", {file}));
+        problem(path + ".file", wcam::text("the mesh '%1' has no triangles", {file}));
       }
     } catch (const CancelledError&) {
       throw;
@@ -240,7 +240,7 @@ CellShapes readShapes(const Value& file, const ShapeReading& reading, const JobC
     }
     if (!list->isArray()) {
       reading.problem(pathOf(section),
-                      text("expected a list of shapes, got %1", {toString(list->type())}));
+                      wcam::text("expected a list of shapes, got %1", {toString(list->type())}));
       continue;
     }
     for (std::size_t i = 0; i < list->size(); ++i) {

@@ -260,7 +260,7 @@ Region2 moved(const Region2& region, double distance, const Turns& turns, double
 }
 
 void checkOptions(double distance, const OffsetOptions& options) {
-  const auto refuse = [](const char* what, const char* hint) {
+  const auto refuse = [](const Text& what, const Text& hint) {
     throw Error(ErrorCode::InvalidArgument, what, "offset", hint);
   };
   if (!std::isfinite(distance)) {

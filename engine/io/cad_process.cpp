@@ -181,7 +181,7 @@ void receive(int fd, Answer& answer, const JobContext& context) {
 
 [[noreturn]] void workerDied(int status, const ImportJob& job, const JobContext& context) {
   context.check();
-  const char* hint = "the file is damaged; export the part again";
+  const Text hint = text("the file is damaged; export the part again");
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGINT || signal == SIGTERM) {
     throw CancelledError();  // sent to all programs of the terminal

@@ -48,7 +48,7 @@ public:
     }
     for (const auto& [key, item] : value.asObject()) {
       if (keys.count(key) == 0) {
-        fail(text("has an unknown key \"%1\"", {key}));
+        fail(wcam::text("has an unknown key \"%1\"", {key}));
       }
     }
   }
@@ -58,7 +58,7 @@ public:
   [[nodiscard]] const Value& at(const std::string& key) const {
     const Value* item = value_.find(key);
     if (item == nullptr) {
-      fail(text("lacks \"%1\"", {key}));
+      fail(wcam::text("lacks \"%1\"", {key}));
     }
     return *item;
   }
@@ -69,7 +69,7 @@ public:
       return formatReal(item.asReal());
     }
     if (!item.isString()) {
-      fail(text("needs a text for \"%1\"", {key}));
+      fail(wcam::text("needs a text for \"%1\"", {key}));
     }
     return item.asString();
   }
@@ -80,7 +80,7 @@ public:
       return std::nullopt;
     }
     if (!item->isBool()) {
-      fail(text("needs true or false for \"%1\"", {key}));
+      fail(wcam::text("needs true or false for \"%1\"", {key}));
     }
     return item->asBool();
   }
@@ -94,25 +94,25 @@ public:
   [[nodiscard]] std::array<double, 2> range(const std::string& key) const {
     const Value& item = at(key);
     if (!item.isArray() || item.size() != 2) {
-      fail(text("needs two numbers for \"%1\"", {key}));
+      fail(wcam::text("needs two numbers for \"%1\"", {key}));
     }
     std::array<double, 2> range{};
     for (std::size_t i = 0; i < 2; ++i) {
       const Value& end = item.asArray()[i];
       if (!end.isNumber() && !end.isString()) {
-        fail(text("needs numbers or formulas for \"%1\"", {key}));
+        fail(wcam::text("needs numbers or formulas for \"%1\"", {key}));
       }
       range[i] =
           end.isNumber() ? end.asReal() : makeFormula(end.asString(), {}, place_ + "." + key)();
     }
     if (!(range[0] < range[1]) || !std::isfinite(range[1] - range[0])) {
-      fail(text("needs an ascending range for \"%1\"", {key}));
+      fail(wcam::text("needs an ascending range for \"%1\"", {key}));
     }
     return range;
   }
 
   [[noreturn]] void fail(const Text& what) const {
-    throw Error(ErrorCode::InputInvalid, text("the description %1", {what}), place_,
+    throw Error(ErrorCode::InputInvalid, wcam::text("the description %1", {what}), place_,
                 "see the page on part formats");
   }
 
@@ -226,7 +226,7 @@ public:
     if (!valid) {
       throw Error(
           ErrorCode::InputInvalid,
-          text("the guide is straight at t = %1 and has no Frenet frame", {formatFixed(t, 6)}),
+          wcam::text("the guide is straight at t = %1 and has no Frenet frame", {formatFixed(t, 6)}),
           place_, "write \"frame\": \"minimal\"");
     }
     return frame;
@@ -266,7 +266,7 @@ FormulaShape readTube(const Value& value, const std::string& place, const JobCon
         range[1]);
   } catch (const Error& error) {
     throw Error(ErrorCode::InputInvalid, error.messageText(),
-                text("%1, %2", {guidePlace, error.contextText()}), error.hintText());
+                wcam::text("%1, %2", {guidePlace, error.contextText()}), error.hintText());
   }
   const Formula radius = section.formula("radius", {"t"});
   const std::string frame = value.contains("frame") ? section.text("frame") : "minimal";
@@ -279,7 +279,7 @@ FormulaShape readTube(const Value& value, const std::string& place, const JobCon
     const double r = radius(t);
     if (!(r > 0.0)) {
       throw Error(ErrorCode::InputInvalid,
-                  text("the radius is %1 at t = %2", {formatFixed(r, 6), formatFixed(t, 6)}),
+                  wcam::text("the radius is %1 at t = %2", {formatFixed(r, 6), formatFixed(t, 6)}),
                   place + ".radius", "the radius must be positive along the whole guide");
     }
     if (t != at.t) {
@@ -289,7 +289,7 @@ FormulaShape readTube(const Value& value, const std::string& place, const JobCon
       if (!(speed2 > 0.0) || !(bend * r < 1.0)) {
         throw Error(
             ErrorCode::InputInvalid,
-            text("the tube folds at t = %1: its radius reaches the guide's radius of curvature",
+            wcam::text("the tube folds at t = %1: its radius reaches the guide's radius of curvature",
                  {formatFixed(t, 6)}),
             place, "use a smaller radius or a straighter guide");
       }
@@ -373,8 +373,8 @@ Vec3 profilePoint(const ProfilePiece& piece, double z, double size) {
   if (!(r >= -kOnAxis * size) || !std::isfinite(r)) {
     throw Error(ErrorCode::InputInvalid,
                 std::isfinite(r)
-                    ? text("the radius is %1 at z = %2", {formatFixed(r, 6), formatFixed(z, 6)})
-                    : text("the radius is not a number at z = %1", {formatFixed(z, 6)}),
+                    ? wcam::text("the radius is %1 at z = %2", {formatFixed(r, 6), formatFixed(z, 6)})
+                    : wcam::text("the radius is not a number at z = %1", {formatFixed(z, 6)}),
                 piece.place, "the radius must not be negative");
   }
   return {r <= kOnAxis * size ? 0.0 : r, 0.0, z};

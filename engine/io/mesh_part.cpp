@@ -132,7 +132,7 @@ public:
   }
 
 private:
-  void requireTriangles(const char* message) const {
+  void requireTriangles(const Text& message) const {
     if (raw_.mesh.triangles.empty()) {
       throw Error(ErrorCode::InputInvalid, message, job_.fileText, "export the part again");
     }

@@ -343,7 +343,7 @@ private:
       const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), t[c]);
       if (error != std::errc() || last != text.data() + text.size() ||
           t[c] >= object_->mesh.vertices.size()) {
-        xml_.fail(text("triangle %1 refers to a vertex that does not exist",
+        xml_.fail(wcam::text("triangle %1 refers to a vertex that does not exist",
                        {std::to_string(object_->mesh.triangles.size())}));
       }
     }

@@ -266,8 +266,8 @@ private:
   }
 
   void reportSingularities(const JobContext& context) const {
-    const char* remedy =
-        "change the rotation about the torch, the tool tilt or the place of the part";
+    const Text remedy =
+        text("change the rotation about the torch, the tool tilt or the place of the part");
     if (wrist_.count > 0) {
       put(context, Severity::Warning, "motion.singularity", wristText(), remedy, wrist_,
           {{"wrist_bend_deg", radToDeg(-wrist_.value)}});

@@ -73,12 +73,12 @@ public:
       return {};
     }
     if (!value->isString()) {
-      problem(path, text("expected a text, got %1", {toString(value->type())}));
+      problem(path, wcam::text("expected a text, got %1", {toString(value->type())}));
       return {};
     }
     const std::string& result = value->asString();
     if (trimText(result).empty() || result.size() > kMaxTextLength || !isPrintable(result)) {
-      problem(path, text("must have 1 to %1 characters and no control characters",
+      problem(path, wcam::text("must have 1 to %1 characters and no control characters",
                          {std::to_string(kMaxTextLength)}));
       return {};
     }
@@ -88,7 +88,7 @@ public:
   std::string id(const Value& object, const std::string& path) {
     std::string result = text(object, "id", path);
     if (!result.empty() && (!isValidId(result) || result.find('.') == std::string::npos)) {
-      problem(path, text("'%1' is not a reverse-DNS id: 1 to 64 characters of a-z 0-9 _ - . with "
+      problem(path, wcam::text("'%1' is not a reverse-DNS id: 1 to 64 characters of a-z 0-9 _ - . with "
                          "at least one dot, such as com.acme.post.demo",
                          {result}));
       return {};
@@ -118,7 +118,7 @@ void readAbi(Reader& reader, const Value& root, Manifest& manifest) {
   }
   const auto numbers = dottedNumbers(abi, 2);
   if (!numbers) {
-    reader.problem("abi", text("'%1' is not MAJOR.MINOR, such as 1.0", {abi}));
+    reader.problem("abi", wcam::text("'%1' is not MAJOR.MINOR, such as 1.0", {abi}));
     return;
   }
   manifest.abiMajor = numbers->at(0);
@@ -130,7 +130,7 @@ void readLibrary(Reader& reader, const Value& root, Manifest& manifest) {
   if (!manifest.library.empty() &&
       (manifest.library.find('/') != std::string::npos || !manifest.library.ends_with(".so") ||
        manifest.library == ".so")) {
-    reader.problem("library", text("'%1' is not the name of a .so file beside the manifest",
+    reader.problem("library", wcam::text("'%1' is not the name of a .so file beside the manifest",
                                    {manifest.library}));
   }
 }
@@ -138,8 +138,8 @@ void readLibrary(Reader& reader, const Value& root, Manifest& manifest) {
 void readComponents(Reader& reader, const Value& root, Manifest& manifest) {
   const Value* list = root.find("components");
   if (list == nullptr || !list->isArray() || list->size() == 0 || list->size() > kMaxComponents) {
-    reader.problem("components", list == nullptr ? text("is missing")
-                                                 : text("expected a list of 1 to %1 components",
+    reader.problem("components", list == nullptr ? wcam::text("is missing")
+                                                 : wcam::text("expected a list of 1 to %1 components",
                                                         {std::to_string(kMaxComponents)}));
     return;
   }
@@ -148,7 +148,7 @@ void readComponents(Reader& reader, const Value& root, Manifest& manifest) {
     const Value& item = list->asArray()[i];
     const std::string path = "components[" + std::to_string(i) + "]";
     if (!item.isObject()) {
-      reader.problem(path, text("expected an object, got %1", {toString(item.type())}));
+      reader.problem(path, wcam::text("expected an object, got %1", {toString(item.type())}));
       continue;
     }
     reader.unknownKeys(item, kComponentKeys, path + ".");
@@ -159,10 +159,10 @@ void readComponents(Reader& reader, const Value& root, Manifest& manifest) {
     if (const auto known = kindFrom(kind)) {
       entry.kind = *known;
     } else if (!kind.empty()) {
-      reader.problem(path + ".kind", text("'%1' is not one of: slicing, post", {kind}));
+      reader.problem(path + ".kind", wcam::text("'%1' is not one of: slicing, post", {kind}));
     }
     if (!entry.id.empty() && !seen.insert(entry.id).second) {
-      reader.problem(path + ".id", text("'%1' appears twice", {entry.id}));
+      reader.problem(path + ".id", wcam::text("'%1' appears twice", {entry.id}));
     }
     manifest.components.push_back(std::move(entry));
   }
@@ -209,7 +209,7 @@ Manifest parseManifest(std::string_view text, const std::string& context) {
   }
   if (!root.isObject()) {
     throw Error(ErrorCode::PluginRefused,
-                text("expected an object, got %1", {toString(root.type())}), context);
+                wcam::text("expected an object, got %1", {toString(root.type())}), context);
   }
   Reader reader;
   Manifest manifest;
@@ -218,7 +218,7 @@ Manifest parseManifest(std::string_view text, const std::string& context) {
   manifest.name = reader.text(root, "name", "name");
   manifest.version = reader.text(root, "version", "version");
   if (!manifest.version.empty() && !dottedNumbers(manifest.version, 3)) {
-    reader.problem("version", text("'%1' is not MAJOR.MINOR.PATCH", {manifest.version}));
+    reader.problem("version", wcam::text("'%1' is not MAJOR.MINOR.PATCH", {manifest.version}));
   }
   manifest.vendor = reader.text(root, "vendor", "vendor");
   manifest.licence = reader.text(root, "licence", "licence");
@@ -236,7 +236,7 @@ Manifest readManifest(const std::filesystem::path& file) {
   const auto size = std::filesystem::file_size(file, error);
   if (!error && size > kMaxManifestSize) {
     throw Error(ErrorCode::PluginRefused,
-                text("is longer than %1 bytes", {std::to_string(kMaxManifestSize)}), name);
+                wcam::text("is longer than %1 bytes", {std::to_string(kMaxManifestSize)}), name);
   }
   std::string text;
   try {

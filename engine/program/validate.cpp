@@ -80,7 +80,7 @@ private:
     finding(Severity::Violation, rule, message, remedy);
   }
 
-  void requireFinite(bool finite, const char* what) {
+  void requireFinite(bool finite, const Text& what) {
     if (!finite) {
       violation("number_not_finite", text("%1 is not finite", {what}),
                 "report this: a stage before failed");

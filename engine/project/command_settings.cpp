@@ -101,12 +101,12 @@ private:
     const std::string missing = joinText(missing_, ", ");
     if (nodeMatched_ && !missing_.empty()) {
       throw Error(ErrorCode::PluginMissing,
-                  text("'%1' cannot be set: no plugin provides %2", {key, missing}), "--set",
+                  wcam::text("'%1' cannot be set: no plugin provides %2", {key, missing}), "--set",
                   "install the plugin; `camcli plugins list` shows what there is");
     }
     const Text unknown =
-        didYouMean(text("'%1' is no parameter of this project", {key}), key, known_);
-    refuse(missing_.empty() ? unknown : text("%1 (no plugin provides %2)", {unknown, missing}),
+        didYouMean(wcam::text("'%1' is no parameter of this project", {key}), key, known_);
+    refuse(missing_.empty() ? unknown : wcam::text("%1 (no plugin provides %2)", {unknown, missing}),
            "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");
   }
 
@@ -136,8 +136,8 @@ private:
       for (const Target& target : found) {
         keys.push_back(target.fullKey());
       }
-      refuse(text("'%1' has more than one meaning", {key}),
-             text("write one of: %1", {joinText(keys, ", ")}));
+      refuse(wcam::text("'%1' has more than one meaning", {key}),
+             wcam::text("write one of: %1", {joinText(keys, ", ")}));
     }
     return found;
   }
@@ -152,9 +152,9 @@ private:
         inNode(type, node, key, false, found);
         if (found.size() > before + 1) {
           refuse(
-              text("'%1' has more than one meaning in %2 '%3'",
+              wcam::text("'%1' has more than one meaning in %2 '%3'",
                    {key, type.noun, node.at("id").asString()}),
-              text("write one of: %1, %2", {found[before].fullKey(), found[before + 1].fullKey()}));
+              wcam::text("write one of: %1, %2", {found[before].fullKey(), found[before + 1].fullKey()}));
         }
       }
       if (!found.empty()) {
@@ -328,7 +328,7 @@ std::vector<Command> commandsOfSetting(const Document& document,
   const std::size_t equal = setting.find('=');
   const std::string key(trimText(setting.substr(0, equal)));
   if (equal == std::string_view::npos || key.empty()) {
-    refuse(text("'%1' is no setting", {std::string(setting)}),
+    refuse(wcam::text("'%1' is no setting", {std::string(setting)}),
            "write KEY=VALUE, for example step=2.5mm");
   }
   const std::string text(trimText(setting.substr(equal + 1)));

@@ -236,7 +236,7 @@ void History::replayLine(const Value& line) {
   const Command command = commandFromValue(line);
   if (command.id == "undo" || command.id == "redo") {
     if (!(command.id == "undo" ? undo() : redo())) {
-      throw Error(ErrorCode::InvalidArgument, text("there is nothing to %1", {command.id}));
+      throw Error(ErrorCode::InvalidArgument, command.id == "undo" ? text("there is nothing to undo") : text("there is nothing to redo"));
     }
     return;
   }

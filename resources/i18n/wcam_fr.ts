@@ -1315,10 +1315,6 @@
         <translation>Rayon de la torche</translation>
     </message>
     <message>
-        <source>Ramp at the </source>
-        <translation>Rampe </translation>
-    </message>
-    <message>
         <source>Ramps as at the start</source>
         <translation>Rampes comme au début</translation>
     </message>
@@ -1905,6 +1901,5588 @@
     <message>
         <source>Where</source>
         <translation>Où</translation>
+    </message>
+    <message>
+        <source>$ADVANCE: moves read ahead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>$APO.CDIS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>$APO.CVEL, percent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the points need a height outside of %2 to %3 mm, by up to %4 mm at (%5, %6, %7)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is used by %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; names an unknown %3 &apos;%4&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (no plugin provides %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (off by %2 %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (position %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 both write %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 axes are perpendicular to the plane that they shall be projected on, and stay as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 beads have no start %2 mm away from the starts of the last %3 layers; the farthest point is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bytes after the last triangle are ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 at %4; the safety distance is %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 of %3 in a travel move, at %4; the safety distance is %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 contours are not closed and are laid as single beads along the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 contours are too narrow for half a bead on this side: nothing is deposited there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 corners were rounded; there the distance differs from the step by up to %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 edges do not have one triangle on each side, the first at %2 mm; contours may break there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 edges of faces without connection were joined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 entities of the %2 file break its rules, the first is %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 equal points were joined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 equal points were joined, %2 of them on borders up to %3 mm apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 exceeds its limit by up to %2 at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 faces could not be tessellated and are missing, the first is face %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 faces were turned so that all normals agree, the first at %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 failed: %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files do not tell their unit; %2 is %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 finds nothing to change in the %2 layers of the toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 instead of a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has a coordinate that is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has a list of impossible length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has the same configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, not a number within %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, not a whole number from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is above the maximum of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is below the minimum of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not one of: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not part of a facet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not part of an OBJ file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not part of an STL file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 layers grow downwards, the first at (%2, %3, %4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 leaves a gap of %2 mm below a layer that is %3 mm high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm² of part %2 run along the planes of the lines and are not covered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names layers %2 to %3, of which there are %4 to %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs the file &apos;%2&apos;, which does not exist (looked for %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nodes do not have the wanted distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nodes of the base curve keep their place on the tessellation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nodes of the layer could not be moved onto the exact surface and keep their place on the tessellation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 out of the robot&apos;s reach; the tool misses up to %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 out of the robot&apos;s reach; the tool misses up to %2 mm and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 out of the robot&apos;s reach; the wrist misses up to %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 out of the robot&apos;s reach; the wrist misses up to %2 mm and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points get only %2 % or more of the wire that the narrowest bead of their height needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points have a deposit height outside of %2 to %3 mm: %4 to %5 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points have a layer height outside the process window, worst %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points lie where planes normal to the guide cross each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points of the first layer lie beside the plate, up to %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points of the layer do not have the step to the layer below, the worst has %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points want a travel speed outside the process window, worst %2 mm/s; the window&apos;s limit is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 problems:
+  %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 refers to a vertex that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 repeats layers that turn by %2 degrees; the copies are not turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 runs up to %2 into %3 at %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 runs up to %2 into %3 in a travel move, at %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 slows the torch down to %2 mm/s (%3 % of the wanted speed) at %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles have no area but connect others and were kept, the first at %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles that were there twice were dropped, the first at %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles were turned so that all normals agree, the first at %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles without area were dropped, the first at %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 turns by %2 in a travel move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 turns by up to %2 between neighbouring points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 wants the torch to lean by more than 80 degrees at %2 points; it leans by 80 there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 wires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 would make %2 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 step is longer than the others; the longest is %3 s at %4 s instead of %5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 steps are longer than the others; the longest is %3 s at %4 s instead of %5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: that serves %2 of %3 points tried of this bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: that serves %2 of %3 points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: that serves all points tried of this bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: that serves all points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the file &apos;%2&apos; is not the one that the project was made with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the path &apos;%2&apos; holds a backslash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the path &apos;%2&apos; is absolute and holds on this machine only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the path &apos;%2&apos; leaves the folder of the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the printed axes of %2 are not perpendicular unit vectors; the nearest rotation is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; did you mean &apos;%2&apos;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; it gets no layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; there are: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; there is none yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; appears twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be set: no plugin provides %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has more than one meaning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has more than one meaning in %2 &apos;%3&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither torch_carried nor part_carried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither true nor false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no id: write 1 to 64 of a-z 0-9 _ - . and begin with a letter or digit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no output of the project, and no plugin provides it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no parameter of this project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no type of edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no unit of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not MAJOR.MINOR, such as 1.0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not MAJOR.MINOR.PATCH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a parameter here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a reverse-DNS id: 1 to 64 characters of a-z 0-9 _ - . with at least one dot, such as com.acme.post.demo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an integer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not one of sphere, capsule, cylinder, box and mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not one of: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not one of: slicing, post</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the name of a .so file beside the manifest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; names no edit of operation &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--set %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 does not write it: controllers differ in its meaning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 follows from chord error and spacing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 passes closest to the point, 100 slows down least.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 writes none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0.667 gives a level surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0.667 leaves a level surface (Ding 2015); 1 lays beads side by side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: harmonic field, smoothest. 1: ratio of the distances from the lower and the upper border, most even heights along the wall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: no limit. A longer operation is cut between beads into programs that a main program calls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>100 % changes nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bead on the medial axis where no contour fits, down to the least width.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A finding is given where smoothing turns an axis by more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A joint whose acceleration is not in the cell file reaches its greatest speed in this time, s; 0 means at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A longer operation is cut between beads into programs that a main program calls. Line numbers above 9999 need five digits; choose a smaller number for controllers that do not read them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part whose generatrices differ too much needs a wider range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A piece is never built before what it stands on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of the axis in the part frame, mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A variable of the controller that takes m/min; empty: the job decides alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the build direction of the layer, from the part&apos;s x axis, seen from the centre of the bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above, the bead humps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add edit %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds COORD to linear and circular moves, so that the speed holds on the turning part (option J601). Needs a positioner as group 2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds RTCP to linear and circular moves when the robot carries the part, so that the speed holds at the torch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the bead from its present start; negative lengths run backwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle between build direction and vertical above which a finding is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle over which half-planes follow each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As at arc on; {crater} is the crater time in s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At which layer a part with several upper borders reaches each of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic: from inside to outside on medial axes, otherwise from outside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the file are used where the path&apos;s axis rule is automatic. Numeric axes follow from the neighbouring layers, for files without normals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes that lean further from the substrate&apos;s build direction are turned back to this angle, before lead and lateral tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base: where the torch is with the positioner where it is. Table: in the turning frame of the positioner&apos;s table, for a user frame that the controller turns along.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Belongs to the range; -1 is the top layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beside the range itself; the layers above move up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between the axis and the direction in which cones grow: 0 gives planes across the axis, 90 cylinders; above 90 the cones open downwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build direction that the torch follows and the positioner turns upright.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By how much the lines turn from layer to layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cartesian positions are not defined for a part that the robot carries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cartesian positions need a robot with 6 joints, this one has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cartesian positions need an arm; this robot has linear axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cartesian: LIN with the speed of the tool. Joint values: every move is a PTP to axis values, whose speed is whole percents of the axis speeds; for dry runs and for checking the reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of a joint between neighbouring points of a bead above which a finding is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses the number of revolutions that brings the mean to the wanted deposit; otherwise as many revolutions as the range allows (Diourté 3.14).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chord of the guide between neighbouring planes (Chalvin A8).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chord: the distance between layers is exactly the step. Arc: along the profile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles smaller than this are left out: near a pole the beads would overlap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Constant over the whole operation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contours along the border before the pattern begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contours of the hybrid pattern between walls and zigzag.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controllers keep 4 decimals of a degree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counted from 0; negative numbers count from the top, whose layer is -1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depends on the generation of the controller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deposit from a height on, reached without a step in the path (smaller, for a cooler end); 0 keeps one deposit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deposited material in parts of the room, beyond which a finding warns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direct links are short, but joints that have turned far cannot turn back in them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction from the layer&apos;s centre, about the build direction, from x.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the lines in the first layer, about the build direction, from the substrate&apos;s x axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance along the tool axis at which the torch leaves and meets the bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring layers along the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring layers, along the normal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring layers; of half-planes at the step radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring planes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring planes; with adaptive heights the greatest distance between neighbouring layers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between points of neighbouring layers on the same iso-curve (Chalvin A7, A9).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance from a bead at which its heat has fallen to 37 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of every point of a layer to the layer below (Chalvin A11).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the first layer from the base; 0 puts a layer on the base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else at the nearest point of the bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty: the name of the operation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty: the name of the operation. At most 24 characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every other layer runs the other way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor at the end; linear to 1 over the ramp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor at the start; linear to 1 over the ramp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fineness of the mesh that carries the field; 0 follows from the deposit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fineness of the mesh that carries the field; 0 follows from the step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the start of the bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaps up to this width are closed: between borders of a mesh, and between CAD faces that share no edge. 0 chooses it from the precision of the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Generatrices modulate the height along curves from border to border (Diourté); the level set follows one field and needs no points per revolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest acceleration of the deposition point in the part, mm/s²; 0 sets no limit beside those of the joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest change of an exit rotation, degrees per millimetre of the bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest distance between the path and the curve it follows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest distance from a corner at which the controller begins to round it (CNT, C_DIS, zone). 0 stops at every corner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest gap between neighbouring shortest paths before a curve is added; 0 takes three times their mean distance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height gained on the way back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of a direct link above everything deposited below the torch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the first layer above the base; 0 puts a layer on the base itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the first layer above the start; 0 puts a layer on the start itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the first layer above the surface; 0 lays it on the surface itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of travel moves above everything deposited so far.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds where no height is given and none can be measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How beads cover the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the tool axis may lean from the toolpath&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the curves from border to border are found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the inside of a layer is filled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the rotation about the torch, the positioner&apos;s axes and the robot&apos;s configuration are chosen. Optimized is never worse than the others by the weights of the objectives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the spiral leaves the border.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the spiral meets the upper border.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In degrees per mm of path; axes are smoothed until they hold it. 0: no bound.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the frame of the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the frame of the part; beads are cut exactly at its border.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the part frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the part frame; any length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the substrate&apos;s frame; any length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index in each layer, from 0; -1 is all beads.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside the window of the process.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its sign is the sense.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>J4 + J6 where the cable is not twisted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joins borders, drops degenerate and duplicate triangles, and turns triangles so that all normals agree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint values fix the configuration of the robot; Cartesian positions can be touched up and moved with a user frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>KRL lines take printable ASCII only: &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the torch from leaning across a plane, for instance towards the substrate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest angle between the directions of neighbouring edges of the triangles of a CAD part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest distance of the triangles from the exact surface of a CAD part. Contours are moved onto the exact surface afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers end at a plane: for parts that were made longer than wanted so that their last layers are whole (Chalvin A13).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers have corners where fronts meet, such as on the outside of a bend. They are rounded so far that the distance between layers differs from the step by at most this; 0 keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lean of the torch across the travel; positive leans outwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lean of the torch in the travel plane; positive leans forward.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least bend of the stretched or folded elbow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least bend of the wrist between axes 4 and 6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least distance of a start from the starts of the last layers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least distance of the wrist centre from axis 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length along the bead by which the start moves on in each layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length along the mean generatrix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length for which a closed bead runs on over its own start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length from the start of the bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length from the start of the bead; 0 is its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of bead that is deposited until the heat of a bead has fallen to 37 %: travel speed times cooling time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length outside the region in which the change fades away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length over which travel speed and wire feed change. The heat is least at the start and greatest at the end of a bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines lie in planes normal to it; in the part frame, any length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks for collisions of torch, robot and positioner with each other, the cell, the substrate and the part as it grows. Needs shapes in the cell file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower end of the modulation range; 0 takes 90 % of the mean deposit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Many controllers read one decimal at most: speeds are then off by up to 0.05 of the unit, which is 0.8 % at 6 mm/sec and 0.14 % at 36 cm/min.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean height that a revolution adds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured on the surface; 0.667 leaves a level surface (Ding 2015).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move edit %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layer above this height over the base; 0 slices the whole part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layer above this height over the start; 0 slices the whole part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No layer farther from the base than this; 0 slices the whole part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of layers below whose starts count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of $VEL.CP in m/s: 5 decimals are 0.01 mm/s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a single bead; 0 takes the process&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an exit rotation, about the direction across the travel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an exit rotation, about the direction of travel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of beads whose width is chosen; 0: 1.5 bead widths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of beads whose width is chosen; 0: half the bead width.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of closed beads; open ones stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of degrees, also of axes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of mm and of degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of positions in mm and speeds in mm/s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the first half-plane, about the axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the mesh that carries the layers; 0 chooses it. Points are exact whatever it is; details smaller than it may be passed over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the rotation about the torch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the sphere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of |J4 + J6|, from the untwisted cable&apos;s value; 0 is no limit. 120 deg is usual for torch cables (Chalvin A33).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: the arc is lit where the bead starts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On what the layers lie.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One or several lines separated by &apos;|&apos;, such as the inline forms of ArcTech. {job} is the job number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open beads start at the end that is nearer to the bead before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order, starts and directions of the beads stay as in the file. Otherwise the path&apos;s rules choose them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise layers grow along the substrate&apos;s build direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise the axis is found from the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise the process&apos;s width holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise the z axis of the substrate&apos;s frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise they are measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over how many revolutions the deposit changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over that across it. Above 1 layers bend less towards slanted borders near them and more in the middle of the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallels of a body of revolution, or the parameters of the faces of a CAD part. auto takes the first where it fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of each section that beads must cover, else a finding tells the place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the greatest joint speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the wanted speed by which the predicted speed may be lower or higher before a finding is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the wanted wire feed below which it is not lowered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts that close in a point: where the bead ends; 0 takes half the deposit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the first layer above the base; 0 puts it on the base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the first layer above the lower border; 0 puts it on the border.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the first plane along the guide; 0 puts it at the guide&apos;s start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planes come nearer where walls lean, so that neighbouring layers are nowhere farther apart than the step, within the layer heights of the process (Chalvin A6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planes, or the surface of the substrate moved up along the build direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points away from the material that stays; any length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions are written in the robot base frame; another frame than 0 must hold that frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Propagation is exact up to the mesh and keeps the creases where ways from two sides meet; heat rounds them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius at which half-planes lie one step apart; 0 takes the part&apos;s middle radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratio of the smallest to the largest singular value of the robot&apos;s linear Jacobian below which a finding is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading CAD file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading CAD part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove edit %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename %1 %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename edit %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repairing mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robots leave the line between far points; 4.9 mm keeps them on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounded so that the last layer is the upper border.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sections smaller than this, in mm², are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1 of %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set %1 of edit %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set edit %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sewing faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorter beads are left out; 0: one bead width.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorter open beads are left out; 0: one bead width.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of retract and approach moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stabilised width of a wall of one bead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stacked along the surface&apos;s normal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of joints whose resolution the cell file does not tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts lie exactly where the seam asks for, between the points of the contour: a point is put there. Without it the nearest point of the contour is taken and no point is added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step of the torch by the backlash of a joint that turns round above which it is told. Backlash stands in the cell file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straight run on from the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straight run onto the start, along the bead&apos;s tangent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the axis of a tube-like part as guide, from its lower to its upper end, instead of a guide of the project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tessellating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field whose saddles cut the part into branches and whose level curves are the layers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layer height stays: a faster torch leaves a narrower bead, or more wire.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layer height stays: more wire makes a wider bead, or a faster torch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layers above come down by what is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outermost bead&apos;s outer side, its centre or its inner side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same seed gives the same seams.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The three numbers behind the CONFIG letters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The torch stands lifted, with the arc off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way that the part grows; any length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They have no inside. As a bead: the section itself is the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Third Bryant angle of the tool frame (torch carried) or of the part (part carried), where it is constant; start of point by point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three binary digits, such as 010; empty: from the configuration of the cell and the sign of A5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilts the torch about the TCP where it would touch the part, smoothly along the bead and within the tolerances; otherwise the findings tell the tilt that would be needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel speed at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel speed at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of files that do not tell it (STL, OBJ, PLY, BREP). auto: metres when the part is smaller than 2 units, else millimetres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper end of the modulation range; 0 takes 110 % of the mean deposit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value of the table&apos;s axis at rest (fixed) or at the start of a bead (homogeneous); azimuth in the table&apos;s frame at zero (constant tool axis, fixed tool tip).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WCAM_PLUGIN_PATH names a folder that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait: the torch stands for the crater time before Arc End. Schedule: the arc end schedule holds the time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wanted height of a layer; with iso-values the mean of each piece, rounded to whole layers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way back over the bead with the arc off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What changes the direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What comes nearer gives a warning. Not asked of the material below the nozzle, whose distance is the stick-out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is higher than a direct link must be this far beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What lies on the border: the bead&apos;s side or its centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What slices a piece instead of the common field: 1=spiral, 3=isovalues; *=spiral for all others. Methods: common, geodesic (distance from the lower end of the piece), isovalues, spiral (one bead; its heights stay inside the process&apos;s range). Pieces count from 0, the lowest first, as the finding slicing.branches lists them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What spans less than this is a bump, not a branch; 0 takes the step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where each closed bead starts and ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the layers begin: the radius of the shaft or core on which they are built (of cones: the distance along the normal from the cone through the origin); 0 takes the part&apos;s nearest point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the torch is predicted to be slower than wanted, the wire feed is lowered alike. The welding source must allow it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which bead of a layer comes next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which side of the bead the part&apos;s surface is. The bead is moved by half its width inside the layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wire feed at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wire feed at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrapped: within 180 degrees to both sides. Continuous: the value next to that of the point before, also beyond 180 degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one that reaches all points inside the limits, if it can with the shoulder to the front and the elbow up, and with the largest margin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes positions in the frame of the turning table, with $BASE = EK(...): the speed then holds on the part. Without it positions are in the robot base frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a FANUC motion group has at most 9 axes, the robot has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a KUKA program has 6 robot axes and up to 6 external ones, the cell %1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a KUKA program has rotary robot axes, this robot linear ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bead is longer than one program: the arc burns while the next one is called</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bead lies %1 mm or more above everything below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a boolean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cell has 1 to %1 joints, not %2 + %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a closed surface has no border: select the faces of the wall, without the bottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a closed surface without a border does not touch the substrate: its lowest point %1 is %2 mm above it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a command is an object with the keys &apos;command&apos; and &apos;args&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a contour of the layer is a single point and was dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a document type is not allowed in 3MF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a face has %1 corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a facet has %1 vertices instead of three</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a facet has more than three vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a fixed value is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a guide needs at least two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint move with the arc on: its path and speed are not controlled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a key is not UTF-8 text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a larger share of distances spreads the heights more evenly, and branches get steps of their own with the strategy for branching parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a layer or bead mark is left open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a linear or circular move needs a speed above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a move needs %1 positions, a program may have %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a non-manifold edge or vertex at %1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number is too large for a robot program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number that is not finite cannot be printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number that is not finite cannot be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a parameter is out of its range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part that closes in a point cannot be projected onto a cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece of the part is not joined to the base and gets no layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a piece of the part lies below the substrate and gets no layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point has a negative weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pose is not a rotation with a translation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a position has %1 joints, the cell %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a prismatic joint ends somewhere; give its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a property without element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a range of %1 would do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a second operation &apos;%1&apos; begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed of %1 mm/s cannot be written to $VEL.CP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed of %1 mm/s would be written as 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a speed ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spiral is one bead on one part, and the operation names %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spiral needs a part with a single branch: slice it with the strategy for branches, or select the faces of one branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spiral needs a range, such as ±10 % of the mean deposit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spiral needs one border below and at most one above: slice this piece by isovalues</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a spiral runs around a tube or a cap: close slits in the surface, or slice it with open beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a step between %1 and %2 mm would do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thin wall is modelled by one open surface: select the faces of the wall, without bottom and top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a time is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a transaction is open already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a transform does not have twelve numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a triangle without area at %1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vertex has a coordinate that is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wall stands on one: close the others, or slice the part with the strategy for branches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a welding job has a negative number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wire speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wire speed is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adaptive planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add &quot;max_speed&quot; to the joint in the cell file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add &quot;ratio&quot; to the joint in the cell file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add &quot;ratio&quot; to these joints in the cell file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add a guide to the project (edge, polyline or formula) and name it in the operation, or set automatic_guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add an operation or enable one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>add the joint speeds to the cell, or set mode=cartesian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adds lengths to angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all beads lie below the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>allow longer names or more points per program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>allow more points per program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>allow more points per program or sample the bead less densely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>allow narrower beads (min_width, fill_narrow) or thicken the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>allow narrower or shorter beads (min_width, min_length)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an automatic guide is the axis of one part, and the operation names %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an edge length of %1 mm would give more than 20 million triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an element has no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an exception of unknown type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an operation needs at least one part, or a file with a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angular_speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another %1 has the id &apos;%2&apos; already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another edit of the operation has the id &apos;%1&apos; already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another plugin of this id comes first: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>appears twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>approach the first point with a joint move, so that the robot configuration is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at %1 mm above the surface %2 points run backwards: the surface is hollow with a smaller radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at ±%1 % about %2 mm are needed: widen the range, lower the deposit, or start with a simple ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>auto takes for each face the one that leads away from the base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes 1 and 2 are not perpendicular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes 2 and 3 are not parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes 2 and 3 coincide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes 3 and 4 are not perpendicular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes 4 and 5 are not perpendicular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes 5 and 6 are not perpendicular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis_direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bead width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beads cover %1 % of the section; the largest void is at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>begins with no number of a piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>branches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>build this place on something: another order, a support or another build direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bulk slicing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bulk slicing, layer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cell %1, operation %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cell file %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change or remove what uses it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the formula or its range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the layer step or the strategy so that the distance between layers stays between %1 and %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the rotation about the torch or the configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the rotation about the torch or the configuration, so that the motion keeps away from a singularity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the rotation about the torch or the configuration; check the cable&apos;s zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the rotation about the torch or the place of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the rotation about the torch, the configuration or the place of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the rotation about the torch, the tool tilt or the place of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the wire feed speed, the layer step or the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check that no wall is modelled as two coincident surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check that the part is a surface with a lower border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check that the part is complete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the axis and the part&apos;s place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the cables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the folder and its permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the formulas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the formulas and their ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the part against the CAD system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the part in the CAD system and export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the part&apos;s borders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the part&apos;s place above the substrate, the build direction and the layer step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the path and the permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the radius and its range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the step and the part&apos;s borders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check these faces in the CAD system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a border or points of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a direction that lies in the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a guide without cusps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a job of the welding source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a larger spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a larger step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a process with a bead as wide as the wall, or lay several beads beside each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a range around the mean deposit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a range that holds the bead width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a smaller step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a smaller step or first layer, or a later end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a smaller step or start radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a smaller step, or check the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a smaller step, or check the part&apos;s place above the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a step inside the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose an output of the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another axis_plane_normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another pattern or line angle, a narrower bead, or a wider range of bead widths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose at least one border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose borders that do not touch, or give them the same value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose the method propagation, or cut the part at the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose the other parameter or another strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose wider beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clad the faces one by one, or take the concentric pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clad these faces by an operation of their own, with another direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cladding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cladding, bead spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cladding, direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cladding, part %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>close every mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>close every mark before the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>close holes in the wall, or slice the part with the strategy for branches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>close the gaps of the part, or give the piece a base of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1: &apos;%2&apos; is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos; has a version below 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos; has no factory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos; is registered as %2 but the manifest says %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos; is registered but not named in the manifest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos; is registered twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos; of the manifest was not registered by the library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos;: parameter %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conductivity is given for %1 of %2 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>configuration &apos;%1&apos; is not one of N/F, U/D, T/B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contains a folder, a colon or a control character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>continuous spiral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>convert it and name it %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copy it beside the cell file, or remove the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the declaration of the component</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the geometry that the outline comes from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the height range of the process file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the number in &apos;pieces&apos;, or lower the least branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the range, or do not declare it as closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the values and try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>count layers and beads from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut along a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut at levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut the surface there in the CAD system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut_normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deposit with mode=cartesian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;? %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>divide the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not belong to this configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not list the kinds of the components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw a guide yourself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>draw a guide yourself, or slice the part as a branching one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge %1 does not exist; the part has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edges are numbered 0 to %1; `camcli info` lists them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edit &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elbow singularity: the arm is stretched or folded but for %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>element &apos;vertex&apos; has no x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end the operation one layer earlier if this is not wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end the program with arc off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every line is a JSON object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every number must be greater than that of box_min: the box is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every size must be greater than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exchange height_min and height_max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exchange speed_min and speed_max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exchange them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected %1 initial joint values, got %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected %1 motor speeds, got %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected %1, got %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected 0, 1 or 2 joints, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected 4 rows of 4 numbers, the last row 0 0 0 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected 6 joints (or 5), got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected 6 joints, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected [min, max] in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list of %1 offsets, one per joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list of 1 to %1 components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list of 3 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list of names of frames and shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list of shapes, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list of slicing, post</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a number, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a text, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected an integer from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected an integer, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected an object with the vectors x, y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected an object, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected the index of an edge from 0, or its name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export exact geometry, or export the part as STL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export the part again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export the part again; triangles are counted from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export the part as a solid or as surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export the part with a larger tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face %1 (%2%3) has no iso-parametric curves that lead away from the base: those of %4 climb at %5 degrees to the growth direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face %1 (%2) has no border and is infinite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face %1 does not exist; the part has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face %1 does not exist; the part has faces 0 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face %1 has triangles but no exact surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>face selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faces cannot be selected: the part is a mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>far more than</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>files: the project uses no file &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit first_layer and last_layer to the layers that there are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit its layers, bead or region to the present toolpath, or remove it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>format %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>format version %1 cannot be brought up to date: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>format version %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>format version %1 was read as version %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>format_version: expected the integer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free some space on the disk and try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from and to are the same point; use a sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>generatrices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>generatrix %1 has no length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>generatrix %1 is %2 mm long, too short for the start and the end of a spiral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>generatrix %1 is %2 mm long, too short for the start of a spiral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>geodesic distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a direction, or leave the three columns out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a distance in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a length, or 0 where it is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a limit such as 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a number from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a range that holds the bead width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a spacing above 0 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a step in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a step in mm and a turn step in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a table of points with a header line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a tolerance above 0 mm and a turn from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a tolerance such as 0.01 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a vector such as [0, 0, 1]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a vector such as [1, 0, 0]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a width in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give all three or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give at least one vertex, point, curve or border edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give begin &lt; end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give each border a finite value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give each operation a table of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give h_min and h_max as positive heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one list of values per part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one of the outputs another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one per triangle or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one value per joint, the robot&apos;s first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one value per vertex of the part&apos;s mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the axis, or use another strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the operation a toolpath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the right axis, or use another strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the width of a single bead in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give vertices, points and edges of this mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gives a matrix beside other parts; keep the matrix alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gives its rotation more than once; keep one of wpr, abc, bryant, axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guessed: the largest extent is %1, at least 2 units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guessed: the largest extent is %1, less than 2 units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guide &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guide formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>h_min (%1 mm) is above h_max (%2 mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half-edge %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has %1 triangles, more than can be handled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a format_version other than 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a negative height or width at point %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a number that is not finite at point %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has an unknown key &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has coordinates that are too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has limits and is endless; keep one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no &apos;=&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no direction; give a vector that is not zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has revolutions that do not ascend inside its points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hatching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>header line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>import another file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>import the part from STEP, IGES or BREP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>index: the list has only %1 entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>insets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install a plugin that fits, or see `camcli plugins list --verbose`</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the plugin; `camcli plugins list` shows what there is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a folder or a device, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is longer than %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is neither revolute nor prismatic, but &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no argument of this command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not UTF-8 text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a %1 file: it does not start like one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a file name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a key of a manifest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a key of a manifest; did you mean &apos;%1&apos;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a parameter here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a parameter here; did you mean &apos;%1&apos;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a readable ZIP package</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not known here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not known here (notes go into &quot;comment&quot; or keys that begin with x-)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not known here; did you mean &apos;%1&apos;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not known here; did you mean &apos;%1&apos;? (notes go into &quot;comment&quot; or keys that begin with x-)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not one of: slicing, post</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not the name of a joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not the name of a joint before this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is too short for an STL file (%1 bytes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>iso-parametric slicing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no border to stand on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no manifest %1 beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has several borders at one end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is kept in the file and has no effect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is of kind %1; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was built for plugin ABI %1, this program has %2; install a newer WCAM or an older plugin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was built for plugin ABI %1, this program has %2; rebuild the plugin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was built with C++ ABI &apos;%1&apos;, this program with &apos;%2&apos;; build it with the same compiler and options</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its component &apos;%1&apos; is already provided by plugin %2 (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its descriptor has %1 bytes instead of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its descriptor has no register function</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its entry point failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its entry point returned no descriptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its library %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its library cannot be loaded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its library cannot be loaded: the file is not a 64-bit ELF library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its library cannot be loaded: the file is shorter than its header says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its path comes from a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its register function failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>join the piece to the others, or slice it as a part of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 has no greatest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 of the robot is prismatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 turns round; its backlash moves the torch by %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keep one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>key: must not be empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lacks &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer %1 contour %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer %1 has a number that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer %1, bead %2 follows layer %3, bead %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layer and bead marks do not nest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers that follow the distance from the base keep the height best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leave out one of the edits that delete layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let the length of the path lead the motion, not an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let the robot carry the part (cell &quot;%1&quot;), configuration %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>let the robot carry the torch (cell &quot;%1&quot;), configuration %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1 is not three numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1: a zero byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looked in: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop %1, point %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower count or the range of layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower seam_keep_away or seam_memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower the part by that much, or select an open working surface (faces) of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower the speed or raise the wire feed in the edit, or let the other follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower the tessellation&apos;s chord tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower the tessellation&apos;s chord tolerance, or move the layers off tangent faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower the travel speed, smooth the path (axis_rate bounds the turn of its build direction), or keep away from singularities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make one operation per part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>make one operation per piece: select the faces of one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>medial axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min_width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min_width, max_width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than 100 000 lines would be needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the axis beside the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part by %1 mm in %2 of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part in the cell file instead: T_table_part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part in the cell, change the rotation about the torch or the configuration, or lower the safe height when only travel moves are concerned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part onto the substrate, or a little into it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part or choose a larger plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part or the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part or the substrate if this is not wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the part or the substrate, or extend the part below the substrate so that it is cut there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the positioner by %1 mm in %2 of the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the torch by %1 mm in %2 of the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move to the start point first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves to axis values run at whole percents of the axis speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be &quot;wcam-project&quot;; this file is no WCAM project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be 1 or -1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be an integer from 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be empty or 64 lower-case hexadecimal digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be greater than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be greater than 0 in all three directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be greater than begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be greater than from, or 0 for the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must begin where the piece before it ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must have 1 to %1 characters and no control characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n of $OUT[n].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n of Arc End[n]; 0: the job number of the process.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n of Arc Start[n]; 0: the job number of the process.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n of BASE_DATA[n]; 0 writes $NULLFRAME. Positions are complete: with a coupled positioner the base must be its table frame, else the robot base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n of MACHINE_DEF[n].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n of R[n], in m/min; 0: the job decides alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n of TOOL_DATA[n].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name at least one face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name the columns %1; others begin with x-</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name the edge by its index; `camcli info` lists them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name world, base, a joint, flange, tcp or table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names a piece twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names no method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names of %1 characters have no room for %2 numbered programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names part %1, which does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names, kinds and speeds of joints must be given for all joints or for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs &quot;limits&quot;: [min, max] in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs &quot;limits&quot;: [min, max] in %1 or &quot;endless&quot;: true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs &quot;minimal&quot; or &quot;frenet&quot; for &quot;frame&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs a text for &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs an ascending range for &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs at least one piece of &quot;radius&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs numbers or formulas for &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs true or false for &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs two numbers for &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nested deeper than 200 levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no bead fits into any section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no bead fits into the section at %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no bead fits onto the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no face is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no layer fits between the start at %1 and the part&apos;s end at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no layer fits on the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no layer meets the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no pipe: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no plane section of the part is closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no plugin provides the post-processor &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no plugin provides the strategy &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no revolution meets the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no triangle is left after dropping those without area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no triangle is left after joining the borders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no vertex has a fixed value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no vertex is a source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no way leads from the lower border to the upper limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">aucun</translation>
+    </message>
+    <message>
+        <source>none of the %1 faces could be tessellated%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of these alone puts it right: rotations about the torch, the other configurations, tilts within the tolerances, turning the part, moving part or positioner by up to %1 mm, the cell&apos;s other configuration; search a placement with `camcli place`</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of these alone puts it right: rotations about the torch, the other configurations, tilts within the tolerances, turning the part, moving part or positioner by up to %1 mm; search a placement with `camcli place`</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of these alone puts it right: rotations about the torch, the other configurations, tilts within the tolerances; change the axes of the path, the shape of the torch or the order of the beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>numbers have a decimal point and no unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>obstacle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on %1 % of the surface of part %2 lines lie clearly nearer than the bead distance, since the surface slopes differently along them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one bead of %1 revolutions, %2 to %3 mm deposit; generatrices of %4 to %5 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one bead of %1 revolutions, %2 to %3 mm deposit; mean generatrix %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only a part of the columns %1, %2, %3 is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open it with the newer version of WCAM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>operation &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>operation &apos;%1&apos; has no edit &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>operations: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order the rows by layer, bead and point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output &apos;%1&apos;, operation &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output file name &apos;%1&apos; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>output file name &apos;%1&apos; appears twice (case is ignored)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outputs are counted from 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameters: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; cannot be unpacked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; refers to object &apos;%2&apos; in a circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; refers to object &apos;%2&apos;, which does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos;, line %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parts can be read from STEP, IGES, BREP, STL, OBJ, PLY, 3MF and wsurf files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parts of the layer lie below the substrate and were cut away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pick the faces to clad, or raise the part above its plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pick the faces to clad, or take parallel lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>piece %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>piece %1 needs a deposit of %2 mm, outside of %3 to %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place the part so that it meets the substrate in one closed curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place the part so that the joint keeps its direction, or expect a mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan the motion again with this cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>planar slicing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plugin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plugin %1 (%2) is refused: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plugin %1, component %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 repeats the one before it or is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>positioner %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>post-processing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>post-processor &apos;%1&apos; cannot be used: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put arc off between the beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put arc on before the bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put the bead on the centre or on the other side of the contour, or take a narrower bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put the file below the project and write the path from there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put the file below the project, so that the folder can be moved as a whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>put the file there or correct its path in the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius and chord error must be positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>raise axis_rate, or take an axis rule that turns less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>raise the part above the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>raise the part or lower the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>raise the part, or remove the piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>raise tilt_tolerance if the process bears it, or choose another redundancy mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record longer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record the time and the motor speed of every joint of the cell; 0 for those that rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refinement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remove the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repair or refine the part&apos;s mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repair the mesh, or use the propagated distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repair the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repair the part if it should be a solid; take a wall strategy if it is a shell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repair the part&apos;s surface if it should be a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repair the part&apos;s surface, take a wall strategy, or set open_sections=bead to lay the section itself as a bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeat a range of parallel layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>report this to the vendor of the plugin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>report this: a stage before failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>restore the file, or pin the new content with the command file.pin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rotate the torch about its axis by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples are lost there: joint values are uncertain from that time on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>save the project to keep the new version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>section: &apos;%1&apos; is not one of: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>see the list of commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>see the page on part formats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>separate lines by &apos;|&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>separate the bodies that touch along an edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>separate the columns as in the header and write decimal points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set &quot;branch&quot; to auto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set &quot;cell&quot; to a cell file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set close_gap, or delete the layers above as well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set it between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set it to 0 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set mode=joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set the operation&apos;s &quot;file&quot; to a table of points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set the option &apos;unit&apos; if this is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set the travel speeds of the operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>set the wire speed of the process</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sharp edges of a mesh can do this: use a finer mesh edge length or the CAD file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shoulder singularity: the wrist centre is %1 mm from axis 1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>singularity: a joint moves the tool as the others do but for %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>singularity: the tool is in line with axis %3 but for %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skeleton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slice this piece by isovalues</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slicing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slicing around an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slicing normal to a guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slicing of branching parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slicing of branching parts, pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smooth the path, allow more rounding of corners, lower the travel speed, or let the wire feed follow (wire_follows_speed)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sort the rows by time and remove repeated ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spacing, angle or phase is no usable number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speeds are rounded by more than 1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>split the part where they meet, or choose the working surface with one lower border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>split the range where the formula has a corner or a vertical tangent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stands beside &apos;faces&apos;: name the faces or the side of the wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stands twice in one object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stands twice in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>status &apos;%1&apos; is not three binary digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>step and conduction must be positive, the geodesic share between 0 and 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped as if it were cancelled, but nobody asked for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strategy &apos;%1&apos; cannot be used: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stroke %1, point %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface refinement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take a smaller angle, or replace the planned one instead of adding to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take the whole surface, or pick the faces of the working surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 file has no shape that can be read%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CAD file asks for more memory than it can need</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CAD library broke down on this file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CAD library broke down on this file (signal %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CAD library does not come to an end with this file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CAD library fails on this file: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CAD reader reports%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the CAD worker cannot be started: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the answer of the CAD worker is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc goes off while it is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc goes on before the first move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc goes on while it is on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arc is still on at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the arguments must be an object, got %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axes are left-handed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axes are not perpendicular unit vectors (off by %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis has no direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the axis&apos; half planes do not meet the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bead width is not above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bead width of %1 mm is outside its range of %2 to %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the beads need %1 % of the room they have and pile up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the borders of the wall must lie apart: check the working surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the build direction has no length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the build direction is up to %1 off the vertical at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell file declares none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell file declares: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell file has format version %1; this program reads versions up to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell has no frame &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell has no frame &apos;%1&apos;; it has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cell&apos;s other_configuration %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the centre distance must be above 0 and at most 1 bead width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the closed-form inverse kinematics needs 6 revolute joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the closed-form inverse kinematics needs axes 2 and 3 parallel, both at a right angle to axes 1 and 4, and axes 4, 5, 6 meeting at right angles in one point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the closed-form inverse kinematics of an arm needs 6 revolute joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 stands twice in the header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column &apos;%1&apos; is not in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column &apos;%1&apos; is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column &apos;%1&apos; is not known; did you mean &apos;%2&apos;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column &apos;%1&apos; stands twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns %1 are missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the condition &apos;%1&apos; names no declared parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the conductivity of triangle %1 is not positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve at %1 % of the part&apos;s height is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the description %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the dexterity falls to %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the direction across the beads has no length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance from the border vanishes everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance has no source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edit &apos;%1&apos; (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edit &apos;%1&apos; has no parameter &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edits leave no layer to build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the envelope does not reach the surface at (%1, %2, %3), %4 mm beside it: there is an overhang</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the envelope&apos;s line at %1° does not meet the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the face refers to vertex %1; there are %2 before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the factory of component &apos;%1&apos; failed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the factory of component &apos;%1&apos; returned nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field has no gradient on a piece of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field has values for another number of parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field has values for another number of vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field must have one value per vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field must have one value per vertex and the least branch must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file does not keep the rules of its own version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends inside facet %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends without its last line and may be cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no surface; it has %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has surfaces but no solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file holds no object, so it is no WCAM project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file holds no process parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is cut off or is not an STL file; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut off; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged or has the wrong extension</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged or is not an OBJ file; export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged, or the chord tolerance is too small for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged; export the part again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file must be UTF-8 JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first move is not a joint move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: a file has this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be written to: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the format of the file is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the formula has no finite value at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the formula has no finite value at t = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the generatrix from (%1, %2, %3), %4 mm long, needs a deposit of %5 mm, %6 mm outside of %7 to %8 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the greatest edge length must be positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guide &apos;%1&apos; does not move with the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guide curve stands still at parameter %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guide is shorter than the first layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guide is straight at t = %1 and has no Frenet frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header does not tell the format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header has no column %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header has no end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header names the columns: layer,bead,x_mm,y_mm,z_mm and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header tells %1 of element &apos;%2&apos;, the file has only %3 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the header tells %1 triangles (%2 bytes), the file has only %3 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the joint name &apos;%1&apos; is used twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is missing; the type %2 needs it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; stands twice in one object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key &apos;id&apos; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the layer at %1 meets no part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the layer at %1 mm lies up to %2 mm from the layer below, although the planes are as near as the process allows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the layers meet the part in points only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the least bead width is above the greatest one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the library says id &apos;%1&apos;, the manifest &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the library says version &apos;%1&apos;, the manifest &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the limit of mitres must be above 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line has %1 cells, the header %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lower border is not a closed curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lowest border of the part does not lie on the substrate: it is %1 to %2 mm above it, most at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the manifest must be a JSON object; wcam_add_plugin() writes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean deposit of %1 mm lies outside the range of %2 to %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh &apos;%1&apos; has no triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh is too degenerate to solve for a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh is too degenerate to solve for a field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the minimum must be below the maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mode %1 turns the last axis of the positioner, and the cell has none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mode %1 turns the last axis of the positioner, and the cell has none: the robot carries the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the modulation range is a single height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the modulation range must lie above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the normal of the cutting plane has no length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of walls is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset is no finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the oldest version is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operation names no file with a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operation names no guide curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the output &apos;%1&apos; for &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the package has more triangles than can be handled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the package has no part &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the package has nothing to build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the package repeats its objects more than %1 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part &apos;%1&apos; is a mesh and has no CAD edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part (layer %1, bead %2, point %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part branches: at %1 % of its height there are %2 curves, one of them at (%3, %4, %5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part branches: its axis has %1 pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part consists of %1 separate pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part does not touch the substrate along a curve; its lowest point is %1 mm above it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part ends less than one step above its base: choose a smaller step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has %1 lower borders, near %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has %1 piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has %1 piece, cut at %2 mm of the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has %1 pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has %1 pieces, cut at %2 mm of the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has %1 upper borders, one near %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has more than one lower border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has no edge named &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has no lower border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has no lower border to start from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has no piece %1: its pieces are 0 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has no triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part has only degenerate triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is a closed surface without a border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is a mesh and has no CAD edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is a mesh: it has no parameters to follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is an open surface, no solid wall: it is its own working surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is lower than one layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is no body of revolution: its normals meet no common axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is no body of revolution: the point (%1, %2, %3) is %4 mm off the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is no solid wall: it has only one side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is no solid wall: its two sides are not parted by rims (a bulk part, or one as thick as high)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is no solid wall: nowhere do two sides of it look at each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is smaller than one layer: its farthest point is %1 mm from the base, the first layer at %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is too short for an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part is wider than the guide&apos;s radius of curvature there: use a straighter guide or another strategy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part lies on the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part must be one connected surface: repair it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part needs a process whose greatest height is %1 times the least one; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part passes through the substrate, and heat starts at borders only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the part stands on %1 borders; layers grow from all of them and meet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the path of a file must not be empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the placement is not a rotation and a translation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the plate needs a positive length, width and thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the positioner&apos;s axes cannot turn it further; choose another build direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the process&apos;s layer heights do not ascend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the profile cannot be revolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program cannot be printed:
+  %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program has no move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no enabled operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no operation &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project names no cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project was written by a newer version (format %1, this program knows %2): it can be looked at, not changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project was written by a newer version and cannot be changed by this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project was written by a newer version and cannot be saved by this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project was written by a newer version, and this one understands it only in part: no robot program is made from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius is %1 at t = %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius is %1 at z = %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius is not a number at z = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius must be positive along the whole guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the range ends before it begins; exchange first_layer and last_layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the range must ascend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording has fewer than 2 rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reduction ratio is unknown of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reduction ratio of joint %1 is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot has %1 joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot of the cell has no configurations of this name: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the row has %1 columns, the header %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section is narrower than a bead: %1 mm at %2; nothing is laid there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section is narrower than a bead: %1 mm at %2; one bead of that width is laid there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section is not closed, so it has no inside to fill: it ends at (%1, %2, %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the smallest layer height is above the greatest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the smallest travel speed is above the greatest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the source of the distance does not lie on the mesh: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the spacing gives more than 10 million lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed of moves to axis values needs the axis speeds of the cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed ratio of a joint move is not in (0, 1]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step between insets must be above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step gives more than a million layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step is not above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step must be positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step of %1 mm is outside the process&apos;s layer heights of %2 to %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the steps of the search must be greater than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strategy %1 needs a file with a path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strategy %1 needs a guide curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strategy %1 needs a guide curve, or set %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strategy %1 needs a part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the strategy names layer %1 below layer %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sum %1 exceeds its limit by up to %2 at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface cannot be met exactly: %1 spans leave a distance of %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface has no area or crosses itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface has no triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface has only one side (like a Möbius strip); its normals disagree at %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface is a single point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface is closed: it has no border that beads could follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface is not closed in %1: its ends are %2 mm apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface is open: %1 border loops, the longest %2 mm from %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface of part %1 is not closed; its closed sections are filled as those of a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface runs along the planes of the beads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table holds no bead of at least two points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table of &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the time %1 s is not after %2 s of the row before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the time factor must be greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tolerance is negative or no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tolerance of an offset must be above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tool axis leaves its rule by up to %1 degrees to turn by at most %2 degrees per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the torch is predicted to run at %1 mm/s, %2 % of the wanted speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the torch is predicted to run at %1 mm/s, %2 % of the wanted speed, the worst of %3 places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the torch is predicted to slow down to %1 mm/s, %2 % of the wanted speed; nearest to its limit is %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the torch is predicted to slow down to %1 mm/s, %2 % of the wanted speed; nearest to its limit is %4, the worst of %3 places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the torch leans by up to %1 from the path&apos;s tool axis at %2; allowed are %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the torch&apos;s cable is twisted by up to %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tube folds at t = %1: its radius reaches the guide&apos;s radius of curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the type of the surface is not &quot;parametric&quot;, &quot;tube&quot; or &quot;revolution&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the unit is not decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vector %1, %2, %3 has no length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wall is only %1 mm high, less than the %2 mm of a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wall of part &apos;%1&apos; is %2 to %3 mm thick, %4 mm in the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wall of part &apos;%1&apos; is %2 to %3 mm thick, the bead %4 mm wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the weights of a point do not sum to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole part lies below the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole part lies in or below the substrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the width of a stroke is negative or no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wrist centre lies on axis 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wrist is not spherical: axes 4 and 5 do not meet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wrist is not spherical: axis 6 does not pass through the wrist centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are more triangles than can be handled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a %1 &apos;%2&apos; already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is an edit &apos;%1&apos; already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no %1 &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no edge %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no generatrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no vertex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no vertex %1; the mesh has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no zero convention &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing to undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this does not look like a cell file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is a fault of the strategy&apos;s plugin; report it to its author</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no readable %1 file%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt the torch by %1 about the direction of travel (exit_rotations does it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt the torch by %1 along the travel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt the torch, change the rotation about it or the place of the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance or least turn is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tolerance, angle or least length is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>topology of a field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>torch %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle %1 has a coordinate that is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle %1 refers to a vertex that does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trim or remove this face in the CAD system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn fraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the part on the table by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turn the part with a positioner, or let planes across the build direction cut it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two borders with different values share the point %1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two consecutive points of curve %1 share no triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>type %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit %1 is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown CAD format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use %1, numbers, pi, + - * / ^ and functions like sin, sqrt, exp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a cell with a FANUC robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a cell with a KUKA robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a cell with a positioner, or the mode optimized, constant, point_by_point or polynomial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a finer mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a narrower bead, or allow narrower or shorter beads (min_width, min_length)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a narrower bead, or allow shorter ones (min_length)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a newer program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a polyline or a formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a polyline or a formula as guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a post-processor for Cartesian machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a smaller radius or a straighter guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use an edge length of %1 mm or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use curved layers there, or a process with thinner layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use fewer or thinner layers there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use fewer walls, the medial pattern or a narrower bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use linear moves inside a bead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use numbers, pi, + - * / ^ and functions like sin, sqrt, exp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use speeds up to 3 m/s, and more decimals for slow ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the CAD file of the part, or slice at constant distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the configuration %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the configuration %1 and rotate the torch about its axis by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the faces of the wall as working surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the iso-value decomposition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the iso-value or the geodesic decomposition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the newer version of WCAM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use the newer version of WCAM; `camcli info` shows what is in the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex %1 has %2 instead of a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices %1 and %2 share no edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weights must be finite and greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>widen the modulation range, or choose another decomposition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>widen the range, lower the deposit, or start without ramps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wire_speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>working surface of a solid wall</source>
+        <translation type="unfinished">surface de travail d’une paroi épaisse</translation>
+    </message>
+    <message>
+        <source>wrist singularity: axes 4 and 6 are in line but for %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write &quot;frame&quot;: &quot;minimal&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write &apos;/&apos; between folders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write KEY=VALUE, for example step=2.5mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write NUMBER=METHOD with commas between, as in &apos;1=spiral, 3=isovalues&apos;, or *=METHOD; methods: common, geodesic, isovalues, spiral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a header line and one row per sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a number with one of: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a plain number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write it like 010, or leave it empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write it like NUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write one cell per column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write one of: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write one of: %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write one row per point, with the arc on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write plain numbers with a decimal point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write speeds in cm/min or with more decimals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write the axes with more digits or as angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write them as {&quot;params&quot;: {...}}; `camcli schema process` lists them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write x y z in mm, one point per line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrote no file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>±%1 %, that is %2 to %3 mm</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
