@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/text.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <string>
