@@ -286,8 +286,8 @@ void ImportDialog::show(const io::ImportedPart& part, const std::vector<Diagnost
   if (!findings.empty()) {
     html += "<p><b>" + tr("What was found and repaired") + "</b></p><ul>";
     for (const Diagnostic& d : findings) {
-      html += "<li>" + qt(d.message).toHtmlEscaped() +
-              (d.remedy.empty() ? QString() : " <i>" + qt(d.remedy).toHtmlEscaped() + "</i>") +
+      html += "<li>" + engineText(d.message).toHtmlEscaped() +
+              (d.remedy.empty() ? QString() : " <i>" + engineText(d.remedy).toHtmlEscaped() + "</i>") +
               "</li>";
     }
     html += "</ul>";

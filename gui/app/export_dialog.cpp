@@ -117,7 +117,7 @@ ExportDialog::ExportDialog(Session& session, QWidget* parent)
   connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
   runner_.setProgress([this](double fraction, const std::string& label) {
     progress_->setValue(static_cast<int>(1000 * fraction));
-    progress_->setFormat(qt(label) + " %p%");
+    progress_->setFormat(engineText(label) + " %p%");
   });
   resize(620, 640);
 }
@@ -213,7 +213,10 @@ void ExportDialog::show(const project::RunResult& result) {
   for (const project::OperationResult& operation : result.operations) {
     for (const Diagnostic& d : operation.findings) {
       if (d.severity != Severity::Information) {
-        html += "<p><small>" + qt(toLine(d)).toHtmlEscaped() + "</small></p>";
+        const FindingRow row = rowOf(d);
+        QString line = row.code + " [" + row.place + "]: " + row.message;
+        line += row.remedy.isEmpty() ? QString() : " (" + row.remedy + ")";
+        html += "<p><small>" + line.toHtmlEscaped() + "</small></p>";
       }
     }
   }

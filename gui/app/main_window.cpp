@@ -247,7 +247,7 @@ void MainWindow::connectAll() {
           [this](const QString& message) { notify(Status::Error, message); });
   session_->generation().setProgress([this](double fraction, const std::string& label) {
     progress_->setValue(static_cast<int>(1000 * fraction));
-    progress_->setFormat(qt(label) + " %p%");
+    progress_->setFormat(engineText(label) + " %p%");
   });
   connect(cancel_, &QToolButton::clicked, this,
           [this] { actions_->action("project.cancel")->trigger(); });

@@ -23,8 +23,8 @@ FindingRow rowOf(const Diagnostic& diagnostic) {
                : diagnostic.severity == Severity::Warning ? Status::Warning
                                                           : Status::Information;
   row.code = qt(diagnostic.code);
-  row.message = qt(diagnostic.message);
-  row.remedy = qt(diagnostic.remedy);
+  row.message = engineText(diagnostic.message);
+  row.remedy = engineText(diagnostic.remedy);
   row.jump = diagnostic.place;
   if (!diagnostic.place.operation.empty()) {
     row.node = {"operations", diagnostic.place.operation};

@@ -349,14 +349,14 @@ void ParamForm::commitText(const std::string& section,
     object.set(key, value);
     const std::vector<ParamProblem> problems = found->schema.validate(object);
     if (!problems.empty()) {
-      showError(section, key, qt(problems.front().message));
+      showError(section, key, engineText(problems.front().message));
       return;
     }
     row->error->hide();
     // The document may answer at once and rebuild this form.
     emit edited(std::string(section), std::string(key), value);
   } catch (const Error& error) {
-    showError(section, key, qt(error.message()));
+    showError(section, key, engineText(error.messageText()));
   }
 }
 
@@ -405,7 +405,7 @@ void ParamForm::showValues() {
           std::find_if(problems.begin(), problems.end(),
                        [&](const ParamProblem& p) { return p.path == row.def.info.key; });
       if (problem != problems.end()) {
-        row.error->setText(qt(problem->message));
+        row.error->setText(engineText(problem->message));
         row.error->show();
       } else if (row.field->property("stale").toBool() || !row.field->hasFocus()) {
         row.error->hide();

@@ -7488,115 +7488,143 @@
     </message>
     <message>
         <source>Highest corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Coin le plus haut</translation>
     </message>
     <message>
         <source>Lowest corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Coin le plus bas</translation>
     </message>
     <message>
         <source>Mean of (1 - dexterity) squared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne de (1 - dextérité) au carré.</translation>
     </message>
     <message>
         <source>Mean of (1 - predicted over wanted speed) squared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne de (1 - vitesse prévue sur voulue) au carré.</translation>
     </message>
     <message>
         <source>Mean of the squared distance from the middle over half the stroke, all joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne du carré de la distance au milieu sur la demi-course, tous les axes.</translation>
     </message>
     <message>
         <source>Mean square angle between build direction and vertical, in degrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle quadratique moyen entre direction de construction et verticale, en degrés.</translation>
     </message>
     <message>
         <source>Mean square in micrometres (Chalvin A34).</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne quadratique en micromètres (Chalvin A34).</translation>
     </message>
     <message>
         <source>Mean square of acceleration over its maximum, at the wanted travel speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne quadratique de l’accélération sur son maximum, à la vitesse d’avance voulue.</translation>
     </message>
     <message>
         <source>Mean square of jerk over its maximum, at the wanted travel speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne quadratique du jerk sur son maximum, à la vitesse d’avance voulue.</translation>
     </message>
     <message>
         <source>Mean square of speed over its maximum, at the wanted travel speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne quadratique de la vitesse sur son maximum, à la vitesse d’avance voulue.</translation>
     </message>
     <message>
         <source>Of the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la boîte.</translation>
     </message>
     <message>
         <source>Points to the side that is meant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pointe vers le côté visé.</translation>
     </message>
     <message>
         <source>Sum of squared joint moves over strokes, in degrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Somme des carrés des mouvements d’axes sur les courses, en degrés.</translation>
     </message>
     <message>
         <source>Sum of squared joint steps over strokes, in degrees (Chalvin Eq. 4.3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Somme des carrés des pas d’axes sur les courses, en degrés (Chalvin Éq. 4.3).</translation>
     </message>
     <message>
         <source>Sum of squared steps of endless robot joints over 360 degrees; torch carried only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Somme des carrés des pas des axes sans fin du robot sur 360 degrés ; torche portée seulement.</translation>
     </message>
     <message>
         <source>Sum of squared steps over 360 degrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Somme des carrés des pas sur 360 degrés.</translation>
     </message>
     <message>
         <source>Weight of constant TCP speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids de la vitesse TCP constante</translation>
     </message>
     <message>
         <source>Weight of dexterity</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids de la dextérité</translation>
     </message>
     <message>
         <source>Weight of joint accelerations</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids des accélérations d’axes</translation>
     </message>
     <message>
         <source>Weight of joint jerks</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids des jerks d’axes</translation>
     </message>
     <message>
         <source>Weight of joint speeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids des vitesses d’axes</translation>
     </message>
     <message>
         <source>Weight of moves between beads</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids des mouvements entre cordons</translation>
     </message>
     <message>
         <source>Weight of positioning uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids de l’incertitude de position</translation>
     </message>
     <message>
         <source>Weight of the distance to limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids de la distance aux butées</translation>
     </message>
     <message>
         <source>Weight of the positioner&apos;s motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids du mouvement du positionneur</translation>
     </message>
     <message>
         <source>Weight of the robot&apos;s motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids du mouvement du robot</translation>
     </message>
     <message>
         <source>Weight of the vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids de la verticale</translation>
     </message>
     <message>
         <source>Weight of winding the cable</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids de l’enroulement du câble</translation>
+    </message>
+    <message>
+        <source>Across the travel; positive leans to the side of the bead&apos;s normal.</source>
+        <translation>En travers de l’avance ; positif penche du côté de la normale du cordon.</translation>
+    </message>
+    <message>
+        <source>In the travel plane; positive leans forward.</source>
+        <translation>Dans le plan de l’avance ; positif penche vers l’avant.</translation>
+    </message>
+    <message>
+        <source>an unknown exception</source>
+        <translation>une exception inconnue</translation>
+    </message>
+    <message>
+        <source>please report this with the project file</source>
+        <translation>merci de le signaler avec le fichier de projet</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>la mémoire ne suffit pas</translation>
+    </message>
+    <message>
+        <source>unexpected</source>
+        <translation>inattendu</translation>
+    </message>
+    <message>
+        <source>use a coarser part or step</source>
+        <translation>utiliser une pièce ou un pas plus grossier</translation>
     </message>
 </context>
 <context>
