@@ -7626,6 +7626,14 @@
         <source>use a coarser part or step</source>
         <translation>utiliser une pièce ou un pas plus grossier</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1 ; %2</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
