@@ -53,7 +53,7 @@ private:
 
 /// Runs work that calls OpenCASCADE; its exceptions become Error(InputInvalid) naming the file.
 template <class Work>
-auto guardOcct(const std::string& file, const char* act, const JobContext& context, Work&& work) {
+auto guardOcct(const std::string& file, const Text& act, const JobContext& context, Work&& work) {
   try {
     return work();
   } catch (const Standard_Failure& failure) {

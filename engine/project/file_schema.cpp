@@ -24,7 +24,7 @@ void add(std::vector<ParamProblem>& problems, const std::string& path, Text mess
 
 bool expectType(const Value& value,
                 bool matches,
-                const char* wanted,
+                const Text& wanted,
                 const std::string& path,
                 std::vector<ParamProblem>& problems) {
   if (!matches) {

@@ -7634,6 +7634,18 @@
         <source>%1; %2</source>
         <translation>%1 ; %2</translation>
     </message>
+    <message>
+        <source>reading the CAD file</source>
+        <translation>lecture du fichier CAO</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>writing the STEP file</source>
+        <translation>écriture du fichier STEP</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
