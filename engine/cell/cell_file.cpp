@@ -41,7 +41,7 @@ void readZeroConventions(Reader& reader, const Value& robot, Cell& cell) {
     const std::string path = "robot.zero_conventions." + name;
     if (!offsets.isArray() || offsets.size() != cell.robot.joints.size()) {
       reader.problem(path, wcam::text("expected a list of %1 offsets, one per joint",
-                                {std::to_string(cell.robot.size())}));
+                                      {std::to_string(cell.robot.size())}));
       continue;
     }
     ZeroConvention convention{name, JointVector(cell.robot.size())};
@@ -106,7 +106,7 @@ void readPositioner(Reader& reader, const Value& file, Cell& cell) {
   readJoints(reader, *positioner, "positioner", cell.positioner);
   if (cell.positioner.size() > kMaxPositionerJoints) {
     reader.problem("positioner.joints", wcam::text("expected 0, 1 or 2 joints, got %1",
-                                             {std::to_string(cell.positioner.size())}));
+                                                   {std::to_string(cell.positioner.size())}));
   }
 }
 
@@ -126,23 +126,25 @@ void readConfiguration(Reader& reader, const Value& file, Cell& cell) {
   if (text == "part_carried") {
     cell.configuration = Configuration::PartCarried;
   } else if (text != "torch_carried" && !text.empty()) {
-    reader.problem("configuration", wcam::text("'%1' is neither torch_carried nor part_carried", {text}));
+    reader.problem("configuration",
+                   wcam::text("'%1' is neither torch_carried nor part_carried", {text}));
   }
 }
 
 void checkVersion(const Value& file, const Text& contextName) {
   const Value* version = file.find("format_version");
   if (version == nullptr || !version->isInteger() || version->asInteger() < 1) {
-    throw Error(
-        ErrorCode::ProjectInvalid,
-        wcam::text("format_version: expected the integer %1", {std::to_string(Cell::kFormatVersion)}),
-        contextName, "this does not look like a cell file");
+    throw Error(ErrorCode::ProjectInvalid,
+                wcam::text("format_version: expected the integer %1",
+                           {std::to_string(Cell::kFormatVersion)}),
+                contextName, "this does not look like a cell file");
   }
   if (version->asInteger() > Cell::kFormatVersion) {
-    throw Error(ErrorCode::ProjectInvalid,
-                wcam::text("the cell file has format version %1; this program reads versions up to %2",
-                     {std::to_string(version->asInteger()), std::to_string(Cell::kFormatVersion)}),
-                contextName, "use a newer program");
+    throw Error(
+        ErrorCode::ProjectInvalid,
+        wcam::text("the cell file has format version %1; this program reads versions up to %2",
+                   {std::to_string(version->asInteger()), std::to_string(Cell::kFormatVersion)}),
+        contextName, "use a newer program");
   }
 }
 

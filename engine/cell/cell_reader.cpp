@@ -56,8 +56,9 @@ const Value* Reader::member(const Value& parent,
 
 double Reader::number(const Value& value, const std::string& path, double fallback) {
   if (!value.isNumber() || !std::isfinite(value.asReal())) {
-    problem(path, value.isNumber() ? wcam::text("is not a finite number")
-                                   : wcam::text("expected a number, got %1", {toString(value.type())}));
+    problem(path, value.isNumber()
+                      ? wcam::text("is not a finite number")
+                      : wcam::text("expected a number, got %1", {toString(value.type())}));
     return fallback;
   }
   return value.asReal();
@@ -94,7 +95,8 @@ std::string Reader::text(const Value& parent,
     return {};
   }
   if (!value->isString()) {
-    problem(joinPath(parentPath, key), wcam::text("expected a text, got %1", {toString(value->type())}));
+    problem(joinPath(parentPath, key),
+            wcam::text("expected a text, got %1", {toString(value->type())}));
     return {};
   }
   if (required && value->asString().empty()) {
@@ -142,19 +144,20 @@ Eigen::Matrix3d Reader::orthonormal(const Eigen::Matrix3d& printed, const std::s
     problem(path, printed.determinant() <= 0.0 && deviation <= kNotARotation
                       ? wcam::text("the axes are left-handed")
                       : wcam::text("the axes are not perpendicular unit vectors (off by %1)",
-                             {formatFixed(deviation, 4)}));
+                                   {formatFixed(deviation, 4)}));
     return Eigen::Matrix3d::Identity();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(printed, Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (deviation > kOrthonormal) {
-    job_.add({Severity::Warning,
-              "cell.frame_not_orthonormal",
-              wcam::text("%1: the printed axes of %2 are not perpendicular unit vectors; the nearest "
-                   "rotation is used",
-                   {contextName_, path}),
-              "write the axes with more digits or as angles",
-              {},
-              {{"deviation", deviation}}});
+    job_.add(
+        {Severity::Warning,
+         "cell.frame_not_orthonormal",
+         wcam::text("%1: the printed axes of %2 are not perpendicular unit vectors; the nearest "
+                    "rotation is used",
+                    {contextName_, path}),
+         "write the axes with more digits or as angles",
+         {},
+         {{"deviation", deviation}}});
   }
   return svd.matrixU() * svd.matrixV().transpose();
 }

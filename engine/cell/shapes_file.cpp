@@ -87,7 +87,7 @@ private:
   void checkFrame(const std::string& path, const std::string& frame) {
     if (std::find(reading_.frames.begin(), reading_.frames.end(), frame) == reading_.frames.end()) {
       problem(path, wcam::text("the cell has no frame '%1'; it has %2",
-                         {frame, joinText(reading_.frames, ", ")}));
+                               {frame, joinText(reading_.frames, ", ")}));
     }
   }
 

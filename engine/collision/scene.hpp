@@ -100,8 +100,7 @@ private:
 
   void addShapes(const std::vector<Shape>& shapes, BodyKind kind, const Making& making);
   void addSubstrate(const toolpath::Substrate& substrate, const Making& making);
-  void addItem(
-      Shape shape, BodyKind kind, Text label, const Frame& frame, const Making& making);
+  void addItem(Shape shape, BodyKind kind, Text label, const Frame& frame, const Making& making);
   [[nodiscard]] int chainOf(int body) const;
   /// Joined by a single joint.
   [[nodiscard]] bool neighbours(int first, int second) const;

@@ -224,10 +224,10 @@ public:
     bool valid = false;
     const CurveFrame frame = geometry::frenetFrame(guide_.evaluate(t), &valid);
     if (!valid) {
-      throw Error(
-          ErrorCode::InputInvalid,
-          wcam::text("the guide is straight at t = %1 and has no Frenet frame", {formatFixed(t, 6)}),
-          place_, "write \"frame\": \"minimal\"");
+      throw Error(ErrorCode::InputInvalid,
+                  wcam::text("the guide is straight at t = %1 and has no Frenet frame",
+                             {formatFixed(t, 6)}),
+                  place_, "write \"frame\": \"minimal\"");
     }
     return frame;
   }
@@ -289,8 +289,9 @@ FormulaShape readTube(const Value& value, const std::string& place, const JobCon
       if (!(speed2 > 0.0) || !(bend * r < 1.0)) {
         throw Error(
             ErrorCode::InputInvalid,
-            wcam::text("the tube folds at t = %1: its radius reaches the guide's radius of curvature",
-                 {formatFixed(t, 6)}),
+            wcam::text(
+                "the tube folds at t = %1: its radius reaches the guide's radius of curvature",
+                {formatFixed(t, 6)}),
             place, "use a smaller radius or a straighter guide");
       }
       const CurveFrame f = frames.at(t);
@@ -371,11 +372,12 @@ std::vector<ProfilePiece> profilePieces(const Section& section) {
 Vec3 profilePoint(const ProfilePiece& piece, double z, double size) {
   const double r = piece.radius(z);
   if (!(r >= -kOnAxis * size) || !std::isfinite(r)) {
-    throw Error(ErrorCode::InputInvalid,
-                std::isfinite(r)
-                    ? wcam::text("the radius is %1 at z = %2", {formatFixed(r, 6), formatFixed(z, 6)})
-                    : wcam::text("the radius is not a number at z = %1", {formatFixed(z, 6)}),
-                piece.place, "the radius must not be negative");
+    throw Error(
+        ErrorCode::InputInvalid,
+        std::isfinite(r)
+            ? wcam::text("the radius is %1 at z = %2", {formatFixed(r, 6), formatFixed(z, 6)})
+            : wcam::text("the radius is not a number at z = %1", {formatFixed(z, 6)}),
+        piece.place, "the radius must not be negative");
   }
   return {r <= kOnAxis * size ? 0.0 : r, 0.0, z};
 }

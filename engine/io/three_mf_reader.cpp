@@ -344,7 +344,7 @@ private:
       if (error != std::errc() || last != text.data() + text.size() ||
           t[c] >= object_->mesh.vertices.size()) {
         xml_.fail(wcam::text("triangle %1 refers to a vertex that does not exist",
-                       {std::to_string(object_->mesh.triangles.size())}));
+                             {std::to_string(object_->mesh.triangles.size())}));
       }
     }
     object_->mesh.triangles.push_back(t);

@@ -79,7 +79,7 @@ public:
     const std::string& result = value->asString();
     if (trimText(result).empty() || result.size() > kMaxTextLength || !isPrintable(result)) {
       problem(path, wcam::text("must have 1 to %1 characters and no control characters",
-                         {std::to_string(kMaxTextLength)}));
+                               {std::to_string(kMaxTextLength)}));
       return {};
     }
     return result;
@@ -88,7 +88,8 @@ public:
   std::string id(const Value& object, const std::string& path) {
     std::string result = text(object, "id", path);
     if (!result.empty() && (!isValidId(result) || result.find('.') == std::string::npos)) {
-      problem(path, wcam::text("'%1' is not a reverse-DNS id: 1 to 64 characters of a-z 0-9 _ - . with "
+      problem(path,
+              wcam::text("'%1' is not a reverse-DNS id: 1 to 64 characters of a-z 0-9 _ - . with "
                          "at least one dot, such as com.acme.post.demo",
                          {result}));
       return {};
@@ -131,16 +132,17 @@ void readLibrary(Reader& reader, const Value& root, Manifest& manifest) {
       (manifest.library.find('/') != std::string::npos || !manifest.library.ends_with(".so") ||
        manifest.library == ".so")) {
     reader.problem("library", wcam::text("'%1' is not the name of a .so file beside the manifest",
-                                   {manifest.library}));
+                                         {manifest.library}));
   }
 }
 
 void readComponents(Reader& reader, const Value& root, Manifest& manifest) {
   const Value* list = root.find("components");
   if (list == nullptr || !list->isArray() || list->size() == 0 || list->size() > kMaxComponents) {
-    reader.problem("components", list == nullptr ? wcam::text("is missing")
-                                                 : wcam::text("expected a list of 1 to %1 components",
-                                                        {std::to_string(kMaxComponents)}));
+    reader.problem("components", list == nullptr
+                                     ? wcam::text("is missing")
+                                     : wcam::text("expected a list of 1 to %1 components",
+                                                  {std::to_string(kMaxComponents)}));
     return;
   }
   std::set<std::string> seen;

@@ -106,8 +106,9 @@ private:
     }
     const Text unknown =
         didYouMean(wcam::text("'%1' is no parameter of this project", {key}), key, known_);
-    refuse(missing_.empty() ? unknown : wcam::text("%1 (no plugin provides %2)", {unknown, missing}),
-           "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");
+    refuse(
+        missing_.empty() ? unknown : wcam::text("%1 (no plugin provides %2)", {unknown, missing}),
+        "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");
   }
 
   /// Nodes of a list, none when the file has no such list.
@@ -151,10 +152,10 @@ private:
         const std::size_t before = found.size();
         inNode(type, node, key, false, found);
         if (found.size() > before + 1) {
-          refuse(
-              wcam::text("'%1' has more than one meaning in %2 '%3'",
-                   {key, type.noun, node.at("id").asString()}),
-              wcam::text("write one of: %1, %2", {found[before].fullKey(), found[before + 1].fullKey()}));
+          refuse(wcam::text("'%1' has more than one meaning in %2 '%3'",
+                            {key, type.noun, node.at("id").asString()}),
+                 wcam::text("write one of: %1, %2",
+                            {found[before].fullKey(), found[before + 1].fullKey()}));
         }
       }
       if (!found.empty()) {

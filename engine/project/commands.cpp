@@ -246,31 +246,32 @@ void defineNodeCommands(const NodeType& type, std::vector<Definition>& all) {
       return text(pattern, {type.noun, textArg(args, "id")});
     };
   };
-  all.push_back({noun + ".add", "Adds a " + noun + ".", addArgs, bind(addNode), named("Add %1 %2")});
+  all.push_back(
+      {noun + ".add", "Adds a " + noun + ".", addArgs, bind(addNode), named("Add %1 %2")});
   all.push_back({noun + ".remove",
                  "Removes a " + noun + " that nothing uses.",
                  {id},
                  bind(removeNode),
                  named("Remove %1 %2")});
-  all.push_back({noun + ".set", "Sets keys of a " + noun + "; null removes a key.", setArgs,
-                 bind(setNode), [&type](const Value& args) {
-                   std::vector<std::string> keys;
-                   for (const auto& [key, value] : args.asObject()) {
-                     if (key != "id") {
-                       keys.push_back(key);
-                     }
-                   }
-                   return text("Set %1 of %2 %3",
-                               {joinText(keys, ", "), type.noun, textArg(args, "id")});
-                 }});
-  all.push_back({noun + ".rename",
-                 "Gives a " + noun + " another id, also where it is used.",
-                 {id, {"to", FieldType::Id, true, "the new id"}},
-                 bind(renameNode),
-                 [&type](const Value& args) {
-                   return text("Rename %1 %2 to %3",
-                               {type.noun, textArg(args, "id"), textArg(args, "to")});
-                 }});
+  all.push_back(
+      {noun + ".set", "Sets keys of a " + noun + "; null removes a key.", setArgs, bind(setNode),
+       [&type](const Value& args) {
+         std::vector<std::string> keys;
+         for (const auto& [key, value] : args.asObject()) {
+           if (key != "id") {
+             keys.push_back(key);
+           }
+         }
+         return text("Set %1 of %2 %3", {joinText(keys, ", "), type.noun, textArg(args, "id")});
+       }});
+  all.push_back(
+      {noun + ".rename",
+       "Gives a " + noun + " another id, also where it is used.",
+       {id, {"to", FieldType::Id, true, "the new id"}},
+       bind(renameNode),
+       [&type](const Value& args) {
+         return text("Rename %1 %2 to %3", {type.noun, textArg(args, "id"), textArg(args, "to")});
+       }});
   all.push_back({noun + ".move",
                  "Moves a " + noun + " to another place in its list.",
                  {id, {"index", FieldType::Index, true, "the new place"}},

@@ -164,8 +164,8 @@ void defineEditCommands(std::vector<Definition>& all) {
   };
   all.push_back({"edit.add", "Adds an edit of the toolpath to an operation.", addArgs, addEdit,
                  named("Add edit %1 of %2")});
-  all.push_back(
-      {"edit.set", "Sets keys of an edit; null removes a key.", setArgs, setEdit, named("Set edit %1 of %2")});
+  all.push_back({"edit.set", "Sets keys of an edit; null removes a key.", setArgs, setEdit,
+                 named("Set edit %1 of %2")});
   all.push_back({"edit.set_param",
                  "Sets one parameter of an edit; null removes it.",
                  {operation,
@@ -176,7 +176,11 @@ void defineEditCommands(std::vector<Definition>& all) {
                  [](const Value& args) {
                    return text("Set %1 of edit %2", {textArg(args, "key"), textArg(args, "id")});
                  }});
-  all.push_back({"edit.remove", "Removes an edit.", {operation, id}, removeEdit, named("Remove edit %1 of %2")});
+  all.push_back({"edit.remove",
+                 "Removes an edit.",
+                 {operation, id},
+                 removeEdit,
+                 named("Remove edit %1 of %2")});
   all.push_back({"edit.rename",
                  "Gives an edit another id.",
                  {operation, id, {"to", FieldType::Id, true, "the new id"}},

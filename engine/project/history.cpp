@@ -220,7 +220,8 @@ bool History::Transaction::commit() {
     commands.push(toValue(command));
   }
   history_.push(std::move(group.document), group.label, {});
-  history_.write(Value::object({{"transaction", Value(group.label.str())}, {"commands", commands}}));
+  history_.write(
+      Value::object({{"transaction", Value(group.label.str())}, {"commands", commands}}));
   return true;
 }
 
@@ -236,7 +237,9 @@ void History::replayLine(const Value& line) {
   const Command command = commandFromValue(line);
   if (command.id == "undo" || command.id == "redo") {
     if (!(command.id == "undo" ? undo() : redo())) {
-      throw Error(ErrorCode::InvalidArgument, command.id == "undo" ? text("there is nothing to undo") : text("there is nothing to redo"));
+      throw Error(ErrorCode::InvalidArgument, command.id == "undo"
+                                                  ? text("there is nothing to undo")
+                                                  : text("there is nothing to redo"));
     }
     return;
   }

@@ -286,9 +286,10 @@ void ImportDialog::show(const io::ImportedPart& part, const std::vector<Diagnost
   if (!findings.empty()) {
     html += "<p><b>" + tr("What was found and repaired") + "</b></p><ul>";
     for (const Diagnostic& d : findings) {
-      html += "<li>" + engineText(d.message).toHtmlEscaped() +
-              (d.remedy.empty() ? QString() : " <i>" + engineText(d.remedy).toHtmlEscaped() + "</i>") +
-              "</li>";
+      html +=
+          "<li>" + engineText(d.message).toHtmlEscaped() +
+          (d.remedy.empty() ? QString() : " <i>" + engineText(d.remedy).toHtmlEscaped() + "</i>") +
+          "</li>";
     }
     html += "</ul>";
   }

@@ -29,7 +29,7 @@ void checkCell(const Program& program, const Dialect& dialect) {
   if (cell.robotJoints > kMaxGroupAxes) {
     throw Error(ErrorCode::JobFailed,
                 wcam::text("a FANUC motion group has at most 9 axes, the robot has %1",
-                     {std::to_string(cell.robotJoints)}),
+                           {std::to_string(cell.robotJoints)}),
                 program.name, "use a cell with a FANUC robot");
   }
   if (dialect.mode != Mode::Cartesian) {
@@ -38,7 +38,7 @@ void checkCell(const Program& program, const Dialect& dialect) {
   if (cell.robotJoints != 6) {
     throw Error(ErrorCode::JobFailed,
                 wcam::text("Cartesian positions need a robot with 6 joints, this one has %1",
-                     {std::to_string(cell.robotJoints)}),
+                           {std::to_string(cell.robotJoints)}),
                 program.name, "set mode=joint");
   }
   const auto robotEnd =

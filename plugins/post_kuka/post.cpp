@@ -30,7 +30,7 @@ void checkCell(const Program& program, const Dialect& dialect) {
     throw Error(
         ErrorCode::JobFailed,
         wcam::text("a KUKA program has 6 robot axes and up to 6 external ones, the cell %1 and %2",
-             {std::to_string(cell.robotJoints), std::to_string(cell.positionerJoints)}),
+                   {std::to_string(cell.robotJoints), std::to_string(cell.positionerJoints)}),
         program.name, "use a cell with a KUKA robot");
   }
   const auto robotEnd =
@@ -61,10 +61,10 @@ void checkTexts(const Dialect& dialect) {
     const bool plain =
         std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
     if (!plain) {
-      throw Error(
-          ErrorCode::InvalidArgument,
-          wcam::text("KRL lines take printable ASCII only: '%1'", {wcam::program::asciiComment(text)}),
-          context, "separate lines by '|'");
+      throw Error(ErrorCode::InvalidArgument,
+                  wcam::text("KRL lines take printable ASCII only: '%1'",
+                             {wcam::program::asciiComment(text)}),
+                  context, "separate lines by '|'");
     }
   }
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the engine says, in French: findings, errors, helps, steps.
 
+#include "wcam/toolpath/edits.hpp"
+
 #include "app/application.hpp"
 #include "gui_fixture.hpp"
-#include "wcam/toolpath/edits.hpp"
 #include "widgets/text.hpp"
 
 #include <QTranslator>
@@ -55,8 +56,9 @@ TEST_F(French, FindingsOfAPathOutOfReach) {
   open(file);
   ASSERT_FALSE(window->session().apply(
       {"part.set",
-       Value::object({{"id", "elbow"},
-                      {"placement", Value::object({{"position_mm", Value::Array{5000.0, 0.0, 0.0}}})}})}));
+       Value::object(
+           {{"id", "elbow"},
+            {"placement", Value::object({{"position_mm", Value::Array{5000.0, 0.0, 0.0}}})}})}));
   ASSERT_TRUE(waitSettled(*window));
   const FindingRow row = rowOf("motion.unreachable");
   EXPECT_TRUE(row.message.contains("hors de portée du robot ; il manque au poignet jusqu’à"))
@@ -68,13 +70,13 @@ TEST_F(French, FindingsOfAPathOutOfReach) {
     for (const Diagnostic& finding : operation.path->result().findings) {
       ++findings;
       EXPECT_NE(engineText(finding.message), qt(finding.message.str()));
-      EXPECT_TRUE(finding.remedy.empty() ||
-                  engineText(finding.remedy) != qt(finding.remedy.str()))
+      EXPECT_TRUE(finding.remedy.empty() || engineText(finding.remedy) != qt(finding.remedy.str()))
           << finding.remedy;
     }
   }
   EXPECT_GT(findings, 0U);
-  EXPECT_EQ(utf8(engineText(window->session().history().undoLabel())), "Régler placement de pièce elbow");
+  EXPECT_EQ(utf8(engineText(window->session().history().undoLabel())),
+            "Régler placement de pièce elbow");
 }
 
 TEST_F(French, AMissingFileOfAPart) {
@@ -96,7 +98,8 @@ TEST_F(French, AWrongParameterIsToldAtItsPlace) {
   open(file);
   ASSERT_FALSE(window->session().apply(
       {"operation.set_param",
-       Value::object({{"id", "planar"}, {"section", "params"}, {"key", "step"}, {"value", "wide"}})}));
+       Value::object(
+           {{"id", "planar"}, {"section", "params"}, {"key", "step"}, {"value", "wide"}})}));
   ASSERT_TRUE(waitSettled(*window));
   const Badge badge = window->tree().badge({"operations", "planar"});
   EXPECT_EQ(badge.status, Status::Error);
@@ -107,8 +110,9 @@ TEST_F(French, AWrongParameterIsToldAtItsPlace) {
 TEST_F(French, ErrorsWithHints) {
   const Error error(ErrorCode::InvalidArgument, text("the project has no operation '%1'", {"a"}),
                     text("part '%1'", {std::string("part")}), text("did you mean '%1'?", {"b"}));
-  EXPECT_EQ(utf8(errorText(error)),
-            "pièce « part » : le projet n’a pas d’opération « a »\nConseil : vouliez-vous dire « b » ?");
+  EXPECT_EQ(
+      utf8(errorText(error)),
+      "pièce « part » : le projet n’a pas d’opération « a »\nConseil : vouliez-vous dire « b » ?");
   // What a plugin of others says stays as it is.
   EXPECT_EQ(engineText(Text(std::string("some words of a plugin, 50 %1"))),
             "some words of a plugin, 50 %1");

@@ -85,8 +85,9 @@ TEST(OtherConfiguration, isACureWhereNothingElseHelps) {
   EXPECT_EQ(torch.other->other, nullptr);
   torch.T_table_part.translation() += Vec3(0, 0, 4000);
   const Diagnostic far = explained(torch);
-  EXPECT_NE(far.remedy.str().find("let the robot carry the part (cell \"FANUC ARC Mate 120iC carrying"),
-            std::string::npos)
+  EXPECT_NE(
+      far.remedy.str().find("let the robot carry the part (cell \"FANUC ARC Mate 120iC carrying"),
+      std::string::npos)
       << far.remedy;
   EXPECT_TRUE(std::any_of(far.data.begin(), far.data.end(),
                           [](const auto& item) { return item.first == "cure_other_branch"; }));

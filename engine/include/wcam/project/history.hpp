@@ -86,7 +86,7 @@ public:
 private:
   struct Snapshot {
     Document document;
-    Text label;     ///< of the step that led here
+    Text label;            ///< of the step that led here
     std::string mergeKey;  ///< empty: nothing may be merged into this step
     std::uint64_t id = 0;
     std::size_t bytes = 0;
