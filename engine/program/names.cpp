@@ -83,7 +83,7 @@ std::vector<std::string> partNames(std::string_view text,
   const std::size_t width = std::to_string(parts).size();
   if (maxLength < kShortestName + width + 1) {
     throw Error(ErrorCode::InvalidArgument,
-                text("names of %1 characters have no room for %2 numbered programs",
+                wcam::text("names of %1 characters have no room for %2 numbered programs",
                      {std::to_string(maxLength), std::to_string(parts)}),
                 {}, "allow longer names or more points per program");
   }
