@@ -18,112 +18,10 @@ namespace {
 using detail::SpeedNodes;
 using detail::SpeedPieces;
 
-/// Speeds and accelerations beyond these are none (mm/s, mm/s²): keeps sums and products finite.
-constexpr double kMostSpeed = 1e6;
-constexpr double kMostGain = 1e12;
-/// A change of slope below this part of the slopes is no corner.
-constexpr double kNoCorner = 1e-9;
 /// Rounding of a limit that is met.
 constexpr double kMet = 1.0 + 1e-9;
-const double kHalfRoot = std::sqrt(0.5);
-
-int paddedWidth(int joints) {
-  return joints <= 4 ? 4 : joints <= 8 ? 8 : 16;
-}
-
-double finiteInverse(double limit) {
-  return std::isfinite(limit) ? 1.0 / limit : 0.0;
-}
-
-/// Slopes, caps and gains of all segments.
-void addSegments(const SpeedPath& path, const SpeedLimits& limits, SpeedPieces& pieces) {
-  const std::size_t n = path.size();
-  const auto joints = static_cast<std::size_t>(path.joints);
-  const auto width = static_cast<std::size_t>(pieces.width);
-  double perSpeed[SpeedPath::kMaxJoints] = {};
-  double perGain[SpeedPath::kMaxJoints] = {};
-  for (std::size_t j = 0; j < joints; ++j) {
-    perSpeed[j] = finiteInverse(limits.joints[j].speed);
-    perGain[j] = finiteInverse(limits.joints[j].acceleration);
-  }
-  const double pathGain = std::min(limits.pathAcceleration * kHalfRoot, kMostGain);
-  for (std::size_t i = 1; i < n; ++i) {
-    const double* to = path.q.data() + i * joints;
-    const double* from = to - joints;
-    double* slope = pieces.slope.data() + i * width;
-    const double inverse = 1.0 / path.length[i];
-    double slowest = 0.0;
-    double hardest = 0.0;
-    for (std::size_t j = 0; j < joints; ++j) {
-      const double q1 = (to[j] - from[j]) * inverse;
-      slope[j] = q1 * perGain[j];
-      slowest = std::max(slowest, std::abs(q1) * perSpeed[j]);
-      hardest = std::max(hardest, std::abs(slope[j]));
-    }
-    double speed = std::min(path.speed[i], kMostSpeed);
-    if (slowest * speed > 1.0) {
-      speed = 1.0 / slowest;
-    }
-    pieces.cap[i] = speed * speed;
-    pieces.gain[i] = hardest * pathGain > 1.0 ? 1.0 / hardest : pathGain;
-  }
-}
-
-/// True where no joint changes its slope: the zone of such a point would only hinder a change of
-/// acceleration in it.
-bool isStraight(const double* k, std::size_t width) {
-  bool straight = true;
-  for (std::size_t j = 0; j < width; ++j) {
-    straight = straight && std::abs(k[width + j] - k[j]) <=
-                               kNoCorner * (std::abs(k[j]) + std::abs(k[width + j]));
-  }
-  return straight;
-}
-
-/// Lengths of the zones, and what the path's own curvature allows in them.
-void addZones(const SpeedPath& path, const SpeedLimits& limits, SpeedPieces& pieces) {
-  const std::size_t n = path.size();
-  const auto width = static_cast<std::size_t>(pieces.width);
-  const bool curved = std::isfinite(limits.pathAcceleration) && !limits.tangents.empty();
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    double turn = 0.0;
-    if (curved) {
-      const double* t = limits.tangents.data() + 3 * i;
-      turn = std::hypot(t[3] - t[0], t[4] - t[1], t[5] - t[2]);
-    }
-    pieces.zoneCap[i] = std::min(pieces.cap[i], pieces.cap[i + 1]);
-    if (turn <= kNoCorner && isStraight(pieces.slope.data() + i * width, width)) {
-      continue;
-    }
-    const double half = std::min({limits.blend, 0.5 * path.length[i], 0.5 * path.length[i + 1]});
-    pieces.zone[i] = 2.0 * half;
-    if (half == 0.0) {
-      pieces.zoneCap[i] = 0.0;
-    } else if (turn > kNoCorner) {
-      pieces.zoneCap[i] =
-          std::min(pieces.zoneCap[i], limits.pathAcceleration * kHalfRoot * pieces.zone[i] / turn);
-    }
-  }
-  for (std::size_t i = 1; i < n; ++i) {
-    pieces.straight[i] =
-        std::max(path.length[i] - 0.5 * (pieces.zone[i - 1] + pieces.zone[i]), 0.0);
-  }
-}
-
-SpeedPieces makePieces(const SpeedPath& path, const SpeedLimits& limits) {
-  const std::size_t n = path.size();
-  SpeedPieces pieces;
-  pieces.width = paddedWidth(path.joints);
-  pieces.slope.assign((n + 1) * static_cast<std::size_t>(pieces.width), 0.0);
-  pieces.straight.assign(n, 0.0);
-  pieces.zone.assign(n, 0.0);
-  pieces.cap.assign(n, 0.0);
-  pieces.gain.assign(n, 0.0);
-  pieces.zoneCap.assign(n, 0.0);
-  addSegments(path, limits, pieces);
-  addZones(path, limits, pieces);
-  return pieces;
-}
+/// Points that are worked on at once: their pieces stay in the processor's cache.
+constexpr std::size_t kBlock = 1024;
 
 /// Time from speed a to speed b over a straight piece, going as fast as gain and cap allow.
 double straightTime(double length, double a, double b, double gain, double cap) {
@@ -136,41 +34,71 @@ double straightTime(double length, double a, double b, double gain, double cap) 
   return (vt - va) / gain + (vt - vb) / gain + (vt > 0.0 ? flat / vt : 0.0);
 }
 
-SpeedLaw lawOf(const SpeedPieces& pieces, const SpeedNodes& nodes) {
-  const std::size_t n = pieces.cap.size();
-  SpeedLaw law;
-  law.time.assign(n, 0.0);
-  law.speed.assign(n, 0.0);
-  double time = 0.0;
-  for (std::size_t i = 1; i < n; ++i) {
-    if (pieces.straight[i] > 0.0) {
-      time += straightTime(pieces.straight[i], nodes.after[i - 1], nodes.before[i], pieces.gain[i],
-                           pieces.cap[i]);
+/// Times and speeds of the points [begin, end) of a block, in the place of their nodes.
+/// @param previous the node after point begin − 1
+/// @param time after the zone of point begin − 1
+/// @return the same after the block's last zone
+double putLaw(const SpeedPieces& pieces,
+              std::size_t begin,
+              std::size_t end,
+              double previous,
+              double time,
+              SpeedLaw& law) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::size_t k = i - pieces.first;
+    const double before = law.time[i];
+    const double after = law.speed[i];
+    if (pieces.straight[k] > 0.0) {
+      time += straightTime(pieces.straight[k], previous, before, pieces.gain[k], pieces.cap[k]);
     }
-    const double middle = 0.5 * (nodes.before[i] + nodes.after[i]);
-    const double v = std::sqrt(middle);
-    const double half = 0.5 * pieces.zone[i];
+    const double v = std::sqrt(0.5 * (before + after));
+    const double half = 0.5 * pieces.zone[k];
+    law.time[i] = time;
     if (half > 0.0) {
-      law.time[i] = time + 2.0 * half / (std::sqrt(nodes.before[i]) + v);
-      time = law.time[i] + 2.0 * half / (std::sqrt(nodes.after[i]) + v);
-    } else {
-      law.time[i] = time;
+      law.time[i] = time + 2.0 * half / (std::sqrt(before) + v);
+      time = law.time[i] + 2.0 * half / (std::sqrt(after) + v);
     }
     law.speed[i] = v;
+    previous = after;
   }
-  law.duration = time;
-  return law;
+  return time;
 }
 
+/// Block by block, back and forth: the pieces of a block are made twice, which is cheaper than to
+/// fetch those of a long path from memory. Until a block is done, the times hold the nodes before
+/// its points and the speeds those after them.
 SpeedLaw accelerationLimited(const SpeedPath& path,
                              const SpeedLimits& limits,
                              const JobContext& context) {
-  const SpeedPieces pieces = makePieces(path, limits);
-  SpeedNodes nodes{std::vector<double>(path.size()), std::vector<double>(path.size())};
-  context.check();
-  detail::reachSpeeds(pieces, nodes);
-  context.check();
-  return lawOf(pieces, nodes);
+  const std::size_t n = path.size();
+  SpeedLaw law{std::vector<double>(n), std::vector<double>(n), 0.0};
+  double* before = law.time.data();
+  double* after = law.speed.data();
+  SpeedPieces pieces;
+  const std::size_t blocks = (n - 1 + kBlock - 1) / kBlock;
+  const auto blockEnd = [n](std::size_t block) { return std::min(n, 1 + (block + 1) * kBlock); };
+  for (std::size_t block = blocks; block-- > 0;) {
+    context.check();
+    const std::size_t begin = 1 + block * kBlock;
+    detail::fillPieces(path, limits, begin, blockEnd(block), pieces);
+    detail::reachBackward(pieces, begin, blockEnd(block), before, after);
+  }
+  before[0] = 0.0;
+  after[0] = 0.0;
+  double previous = 0.0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    context.check();
+    const std::size_t begin = 1 + block * kBlock;
+    const std::size_t end = blockEnd(block);
+    if (blocks > 1) {
+      detail::fillPieces(path, limits, begin, end, pieces);
+    }
+    detail::reachForward(pieces, begin, end, previous, before, after);
+    const double last = after[end - 1];
+    law.duration = putLaw(pieces, begin, end, previous, law.duration, law);
+    previous = last;
+  }
+  return law;
 }
 
 /// The least cap within `reach` before and after each node: what an average over time may still
@@ -249,7 +177,7 @@ detail::FilteredLaw filteredLaw(const SpeedPath& path,
                                 double window,
                                 const JobContext& context) {
   context.check();
-  SpeedPieces pieces = makePieces(path, limits);
+  SpeedPieces pieces = detail::makePieces(path, limits);
   const double fastest = std::sqrt(*std::max_element(pieces.cap.begin(), pieces.cap.end()));
   const SpeedPieces free = pieces;
   widenCaps(path, fastest * window, pieces);
@@ -288,7 +216,7 @@ SpeedLaw jerkLimited(const SpeedPath& path,
 
 /// Points at which the path stops, its two ends with them: an average over time would pass them.
 std::vector<std::size_t> stopsOf(const SpeedPath& path, const SpeedLimits& limits) {
-  const SpeedPieces pieces = makePieces(path, limits);
+  const SpeedPieces pieces = detail::makePieces(path, limits);
   std::vector<std::size_t> stops = {0};
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
     if (pieces.zoneCap[i] == 0.0) {
@@ -369,7 +297,7 @@ double restToRest(double distance, const JointBounds& bounds) {
     const double knee = std::isfinite(a) ? a * a / j : std::numeric_limits<double>::infinity();
     return speed >= knee ? speed / a + a / j : 2.0 * std::sqrt(speed / j);
   };
-  double top = std::min(v, kMostSpeed);
+  double top = std::min(v, detail::kMostSpeed);
   if (top * rise(top) > d) {
     // The speed at which both ramps make the whole way: monotone, found by halving.
     double low = 0.0;

@@ -3,22 +3,54 @@
 
 #include "wcam/program/from_motion.hpp"
 
+#include "wcam/cell/inverse.hpp"
 #include "wcam/cell/kinematics.hpp"
+
+#include <optional>
 
 namespace wcam::program {
 
 namespace {
 
-CellFacts factsOf(const cell::Cell& cell, const std::string& branch) {
+/// Sine of the angle to a singularity within which both configurations beside it are the same
+/// posture: below what any controller resolves.
+constexpr double kSamePosture = 1e-6;
+/// The same of the wrist centre beside axis 1, mm.
+constexpr double kOnAxisOne = 1e-3;
+
+/// Configuration of an arm along a path: where two of them are the same posture, the one before
+/// stays, since a controller refuses a change in a linear move.
+class Configurations {
+public:
+  explicit Configurations(const cell::Cell& cell) : cell_(cell) {}
+
+  /// "NUT" of these joints; empty for a robot without configurations.
+  std::string of(const JointVector& joints) {
+    if (!cell_.arm) {
+      return {};
+    }
+    cell::Branch found = cell::branchOf(*cell_.arm, joints.data());
+    if (before_) {
+      const cell::SingularityMeasures near = cell_.inverse->measures(joints.data());
+      found.flipped = near.wristSine < kSamePosture ? before_->flipped : found.flipped;
+      found.elbowDown = near.elbowSine < kSamePosture ? before_->elbowDown : found.elbowDown;
+      found.backwards = near.axisDistance < kOnAxisOne ? before_->backwards : found.backwards;
+    }
+    before_ = found;
+    return found.name();
+  }
+
+private:
+  const cell::Cell& cell_;
+  std::optional<cell::Branch> before_;
+};
+
+CellFacts factsOf(const cell::Cell& cell) {
   CellFacts facts;
   facts.cellName = cell.name;
   facts.robotJoints = cell.robotJoints();
   facts.positionerJoints = cell.positionerJoints();
   facts.partCarried = cell.partCarried();
-  if (!branch.empty() && cell.arm) {
-    // Only an arm has a configuration in this sense.
-    facts.configuration = branch;
-  }
   for (int j = 0; j < cell.jointCount(); ++j) {
     facts.jointNames.push_back(cell.joint(j).name);
     facts.linearJoint.push_back(cell.joint(j).prismatic());
@@ -35,7 +67,7 @@ CellFacts factsOf(const cell::Cell& cell, const std::string& branch) {
 class Builder {
 public:
   Builder(Program& program, const cell::Cell& cell, const ArcSettings& arc)
-      : program_(program), cell_(cell), arc_(arc) {}
+      : program_(program), cell_(cell), arc_(arc), configurations_(cell) {}
 
   void add(const motion::Waypoint& point, const motion::Waypoint* next) {
     const Origin origin{point.layer, point.bead, point.point};
@@ -98,6 +130,11 @@ private:
   void move(const motion::Waypoint& point, const Origin& origin, bool stop) {
     Target target;
     target.joints = point.joints;
+    const std::string configuration = configurations_.of(point.joints);
+    if (configuration != configuration_) {
+      target.configuration = configuration;
+      configuration_ = configuration;
+    }
     const Pose T_base_table = cell::T_base_table(cell_, point.joints);
     target.T_base_tcp = cell::T_base_tcp(cell_, point.joints);
     target.T_table_tcp = T_base_table.inverse() * target.T_base_tcp;
@@ -111,6 +148,8 @@ private:
   Program& program_;
   const cell::Cell& cell_;
   ArcSettings arc_;
+  Configurations configurations_;
+  std::string configuration_;  ///< of the target before
   int layer_ = -1;
   int bead_ = -1;
   bool arcOn_ = false;
@@ -128,7 +167,7 @@ Program programFromMotion(const motion::PlannedMotion& planned,
   Program program;
   program.name = operation;
   program.projectName = projectName;
-  program.cell = factsOf(cell, planned.statistics.branch);
+  program.cell = factsOf(cell);
   const motion::Motion& motion = planned.motion;
   Builder builder(program, cell, arc);
   constexpr std::size_t kCheckEvery = 4096;
@@ -140,6 +179,9 @@ Program programFromMotion(const motion::PlannedMotion& planned,
                 i + 1 < motion.waypoints.size() ? &motion.waypoints[i + 1] : nullptr);
   }
   builder.finish();
+  if (cell.arm && !motion.waypoints.empty()) {
+    program.cell.configuration = Configurations(cell).of(motion.waypoints.front().joints);
+  }
   return program;
 }
 

@@ -3,12 +3,15 @@
 
 #include "wcam/base/json.hpp"
 #include "wcam/base/quantity.hpp"
+#include "wcam/cell/inverse.hpp"
 #include "wcam/cell/kinematics.hpp"
 
 #include "example_project.hpp"
 #include "krl_reader.hpp"
 #include "ls_reader.hpp"
 #include <gtest/gtest.h>
+
+#include <set>
 
 /// Programs of the example projects, read back by readers that share nothing with the posts:
 /// forward kinematics of what the text says must be what was planned (DESIGN 9).
@@ -21,6 +24,7 @@ struct Case {
   std::string project;
   std::string operation;
   std::string cell;  ///< shipped cell file; empty: the project's own
+  std::string mode = "constant";
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -36,6 +40,11 @@ protected:
           document, {"cell.set", parseJson(R"({"file": {"path": "wcam:cells/)" + GetParam().cell +
                                            R"(.json", "sha256": ""}})")});
     }
+    document = project::apply(document,
+                              {"operation.set_param", Value::object({{"id", GetParam().operation},
+                                                                     {"section", "motion"},
+                                                                     {"key", "mode"},
+                                                                     {"value", GetParam().mode}})});
     pipeline_.emplace(document, test::exampleFile(GetParam().project), test::hostOfPlugins());
     result_ = pipeline_->compute(GetParam().operation, JobContext());
     ASSERT_EQ(result_.motion->statistics.unreachableWaypoints, 0U);
@@ -88,6 +97,14 @@ protected:
     EXPECT_EQ(job.fewestJointDecimals, 4);
   }
 
+  /// The posture that a move's configuration has to name, per FANUC; empty beside a singularity,
+  /// where both are the same.
+  [[nodiscard]] std::string postureOf(const motion::Waypoint& waypoint) const {
+    const cell::SingularityMeasures near = result_.cell->inverse->measures(waypoint.joints.data());
+    const bool alike = near.wristSine < 1e-5 || near.elbowSine < 1e-5 || near.axisDistance < 1e-2;
+    return alike ? "" : cell::branchOf(*result_.cell->arm, waypoint.joints.data()).name();
+  }
+
   std::optional<project::Pipeline> pipeline_;
   OperationResult result_;
 };
@@ -134,6 +151,10 @@ TEST_P(RoundTrip, FanucCartesianMode) {
       EXPECT_NEAR(degToRad(job.moves[i].external[j]),
                   waypoints[i].joints[static_cast<Eigen::Index>(6 + j)], degToRad(0.00051));
     }
+    const std::string posture = postureOf(waypoints[i]);
+    if (!posture.empty()) {
+      ASSERT_EQ(job.moves[i].configuration, posture) << "move " << i;
+    }
   }
 }
 
@@ -142,16 +163,28 @@ TEST_P(RoundTrip, KukaCartesianMode) {
   const auto& waypoints = result_.motion->motion.waypoints;
   EXPECT_EQ(job.problems, std::vector<std::string>{});
   ASSERT_EQ(job.moves.size(), waypoints.size());
+  int statuses = 0;
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    const geometry::Pose T_base_table = cell::T_base_table(*result_.cell, waypoints[i].joints);
+    // In the frame of the turning table, or of the robot where no table turns.
+    const geometry::Pose T_base_frame = result_.cell->positionerJoints() > 0
+                                            ? cell::T_base_table(*result_.cell, waypoints[i].joints)
+                                            : geometry::Pose::Identity();
     const geometry::Pose planned =
-        T_base_table.inverse() * cell::T_base_tcp(*result_.cell, waypoints[i].joints);
+        T_base_frame.inverse() * cell::T_base_tcp(*result_.cell, waypoints[i].joints);
     EXPECT_LT((job.moves[i].pose.translation() - planned.translation()).norm(), 0.001);
     EXPECT_LT(
         radToDeg(
             Eigen::AngleAxisd(job.moves[i].pose.linear().transpose() * planned.linear()).angle()),
         0.002);
+    const std::string posture = postureOf(waypoints[i]);
+    if (!job.moves[i].configuration.empty() && !posture.empty()) {
+      ++statuses;
+      EXPECT_EQ(job.moves[i].configuration.substr(1),
+                std::string(posture[1] == 'U' ? "1" : "0") + (posture[2] == 'B' ? "1" : "0"))
+          << "move " << i;
+    }
   }
+  EXPECT_GT(statuses, 0);
 }
 
 TEST_P(RoundTrip, SpeedsAndArcsAreThoseOfTheProcess) {
@@ -171,8 +204,32 @@ INSTANTIATE_TEST_SUITE_P(Examples,
                          ::testing::Values(Case{"elbow", "planar", ""},
                                            Case{"elbow", "guide", ""},
                                            Case{"elbow", "guide", "yaskawa_ma1440_mt250"},
+                                           Case{"elbow", "guide", "kuka_kr16"},
                                            Case{"hemisphere", "hemisphere", ""},
                                            Case{"supportless", "supportless", ""}));
+
+/// The best motion of this robot takes another configuration in some layers.
+class ChangingRoundTrip : public RoundTrip {};
+
+TEST_P(ChangingRoundTrip, FanucNamesTheConfigurationOfEachPosition) {
+  const test::ReadJob job = test::readLs(files("wcam.post.fanuc", R"({"mode": "cartesian"})"));
+  const auto& waypoints = result_.motion->motion.waypoints;
+  EXPECT_EQ(job.problems, std::vector<std::string>{});
+  ASSERT_EQ(job.moves.size(), waypoints.size());
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const std::string posture = postureOf(waypoints[i]);
+    if (!posture.empty()) {
+      seen.insert(posture);
+      ASSERT_EQ(job.moves[i].configuration, posture) << "move " << i;
+    }
+  }
+  EXPECT_GT(seen.size(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         ChangingRoundTrip,
+                         ::testing::Values(Case{"elbow", "guide", "kuka_kr16", "optimized"}));
 
 /// The robot carries the part under a fixed torch: joint values only.
 class PartCarriedRoundTrip : public RoundTrip {};

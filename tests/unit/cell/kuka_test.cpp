@@ -138,7 +138,7 @@ Pose kr16Published(const JointVector& q) {
 
 TEST(Kr16, isThePublishedTable) {
   std::mt19937_64 random(9);
-  for (const char* name : {"kuka_kr16", "kuka_kr16_positioner"}) {
+  for (const char* name : {"kuka_kr16", "kuka_kr16_positioner", "kuka_kr16_part_carried"}) {
     const Cell cell = test::shippedCell(name);
     ASSERT_TRUE(cell.arm.has_value()) << cell.armProblem;
     EXPECT_NEAR(260 + armReach(*cell.arm), 1611, 0.5);

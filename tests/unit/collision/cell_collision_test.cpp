@@ -144,13 +144,21 @@ TEST(CellCollision, substrateAndItsMesh) {
 /// construction are not compared.
 TEST(CellCollision, shippedCellsAreFreeAtRest) {
   for (const char* name :
-       {"fanuc_arcmate120ic", "fanuc_arcmate120ic_part_carried", "yaskawa_ma1440_mt250"}) {
+       {"fanuc_arcmate120ic", "fanuc_arcmate120ic_part_carried", "yaskawa_ma1440_mt250",
+        "yaskawa_ma1440_part_carried", "kuka_kr16", "kuka_kr16_positioner",
+        "kuka_kr16_part_carried", "kuka_kr360_platter", "kuka_kr360_part_carried"}) {
     const cell::Cell cell = shippedCell(name);
     const toolpath::Substrate plate(Pose::Identity(), Vec3(100, 100, 10));
     const CellCollision collision(cell, toolpath::Toolpath(), &plate, CollisionSettings());
     ASSERT_TRUE(collision.anything());
     CellState state;
     state.joints = cell::JointVector::Zero(cell.jointCount());
+    if (std::string(name).starts_with("kuka")) {
+      // Upper arm vertical, forearm level, away from a fixed torch.
+      state.joints(0) = degToRad(cell.partCarried() ? 90.0 : 0.0);
+      state.joints(1) = degToRad(-90.0);
+      state.joints(2) = degToRad(90.0);
+    }
     for (const Contact& contact : collision.contacts(state, 5.0)) {
       ADD_FAILURE() << name << ": " << contact.first << " and " << contact.second << " "
                     << contact.distance;

@@ -61,7 +61,9 @@ INSTANTIATE_TEST_SUITE_P(Cells,
                          Oracle,
                          testing::Values("fanuc_arcmate120ic",
                                          "fanuc_arcmate120ic_part_carried",
-                                         "yaskawa_ma1440_mt250"),
+                                         "yaskawa_ma1440_mt250",
+                                         "kuka_kr16_positioner",
+                                         "kuka_kr360_part_carried"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

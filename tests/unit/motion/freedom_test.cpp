@@ -99,6 +99,33 @@ TEST(OtherConfiguration, isACureWhereNothingElseHelps) {
   EXPECT_NE(explained(part).remedy.str().find("none of these alone"), std::string::npos);
 }
 
+/// Every robot with an arm is shipped as a torch-carried and a part-carried cell that name each
+/// other.
+TEST(OtherConfiguration, everyArmIsShippedInBoth) {
+  const std::pair<const char*, const char*> pairs[] = {
+      {"fanuc_arcmate120ic", "fanuc_arcmate120ic_part_carried"},
+      {"yaskawa_ma1440_mt250", "yaskawa_ma1440_part_carried"},
+      {"kuka_kr16_positioner", "kuka_kr16_part_carried"},
+      {"kuka_kr360_platter", "kuka_kr360_part_carried"}};
+  for (const auto& [torch, part] : pairs) {
+    const cell::Cell carried = shippedCell(part);
+    const cell::Cell carrying = shippedCell(torch);
+    EXPECT_TRUE(carried.partCarried()) << part;
+    EXPECT_FALSE(carrying.partCarried()) << torch;
+    ASSERT_NE(carried.other, nullptr) << part;
+    ASSERT_NE(carrying.other, nullptr) << torch;
+    EXPECT_EQ(carried.other->name, carrying.name);
+    EXPECT_EQ(carrying.other->name, carried.name);
+    ASSERT_EQ(carried.robotJoints(), carrying.robotJoints());
+    for (int j = 0; j < carried.robotJoints(); ++j) {
+      EXPECT_EQ(carried.joint(j).min, carrying.joint(j).min);
+      EXPECT_EQ(carried.joint(j).max, carrying.joint(j).max);
+      EXPECT_EQ(carried.joint(j).maxSpeed, carrying.joint(j).maxSpeed);
+    }
+  }
+  EXPECT_TRUE(shippedCell("kuka_kr16").other->partCarried());
+}
+
 TEST(OtherConfiguration, ofAFileIsChecked) {
   const std::string folder = std::string(WCAM_RESOURCES) + "/cells";
   const std::string text = readFile(folder + "/fanuc_arcmate120ic.json");
