@@ -41,7 +41,11 @@ Text joined(const Text* parts, std::size_t count, const std::string& pattern) {
     return *parts;
   }
   const std::size_t half = count / 2;
-  return {pattern, {joined(parts, half, pattern), joined(parts + half, count - half, pattern)}};
+  std::vector<Text> halves;
+  halves.reserve(2);
+  halves.push_back(joined(parts, half, pattern));
+  halves.push_back(joined(parts + half, count - half, pattern));
+  return {pattern, std::move(halves)};
 }
 }  // namespace
 
