@@ -5,6 +5,7 @@
 #include "wcam/project/run.hpp"
 
 #include "dialogs.hpp"
+#include "widgets/diagnostics_table.hpp"
 #include "widgets/icons.hpp"
 #include "widgets/text.hpp"
 
