@@ -84,7 +84,7 @@ std::vector<std::string> partNames(std::string_view text,
   if (maxLength < kShortestName + width + 1) {
     throw Error(ErrorCode::InvalidArgument,
                 wcam::text("names of %1 characters have no room for %2 numbered programs",
-                     {std::to_string(maxLength), std::to_string(parts)}),
+                           {std::to_string(maxLength), std::to_string(parts)}),
                 {}, "allow longer names or more points per program");
   }
   const std::string main = controllerName(text, maxLength);
