@@ -9,6 +9,7 @@
 #include "search.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace wcam::motion::detail {
 
@@ -17,7 +18,7 @@ namespace {
 /// Rungs of the search at most: some seconds at 6912 states each.
 constexpr std::size_t kMostRungs = 8000;
 /// Point by point and polynomial are candidates up to this many targets: on longer paths they
-/// would take longer than everything else together.
+/// would take longer than everything else together. Their own objective apart.
 constexpr std::size_t kAllModesTargets = 2000;
 
 /// Both gauges are refined up to this many targets, else the better one.
@@ -37,6 +38,8 @@ constexpr int kCollisionRounds = 12;
 /// States that a search compares with the cell at most, some 30 µs each: where nearly everything
 /// collides, more of them find no way either.
 constexpr std::size_t kMostCollisionStates = 100000;
+/// Searches and refinements of a family: two gauges.
+constexpr std::size_t kStepsOfFamily = 4;
 /// Cost of a colliding state: below a state outside limits, above a singular one; and per
 /// kDepthUnit (mm) of depth.
 constexpr float kCollisionCost = 5e3F;
@@ -90,7 +93,7 @@ public:
       : task_(task), context_(context), clearance_(clearance) {}
 
   /// The candidates side by side, compared in a fixed order.
-  Candidate run() const {
+  Candidate run() {
     std::vector<RedundancyMode> named;
     for (int m = static_cast<int>(RedundancyMode::PointByPoint); m < kRedundancyModes; ++m) {
       if (isCandidate(static_cast<RedundancyMode>(m))) {
@@ -100,6 +103,7 @@ public:
     const std::size_t families = task_.references.size();
     // The searches first: they take longest.
     std::vector<std::vector<Candidate>> found(families + 1 + named.size());
+    expected_ = kStepsOfFamily * families + 1 + named.size();
     parallelFor(
         found.size(), 1,
         [&](std::size_t k) {
@@ -108,9 +112,11 @@ public:
           } else if (k == families) {
             found[k].push_back(
                 candidate(RedundancyMode::Constant, resolveConstant(task_, context_)));
+            advance();
           } else {
             const RedundancyMode mode = named[k - families - 1];
             found[k].push_back(candidate(mode, resolveNamed(mode, task_, context_)));
+            advance();
           }
         },
         context_);
@@ -128,6 +134,13 @@ public:
   }
 
 private:
+  /// Tells that one more step is done: a candidate, a search or a refinement. There may be more of
+  /// them than expected, then the progress waits for the end.
+  void advance() const {
+    const double done = static_cast<double>(++done_);
+    context_.report(std::min(done / static_cast<double>(expected_ + 1), 1.0));
+  }
+
   Candidate candidate(RedundancyMode mode, Resolution resolution) const {
     return makeCandidate(task_, mode, std::move(resolution), context_, clearance_);
   }
@@ -138,7 +151,10 @@ private:
     const bool same = mode == RedundancyMode::Fixed &&
                       (task_.cell.partCarried() || task_.cell.positionerJoints() == 0);
     const std::size_t most = isFollowed(task_.cell) ? kAllModesFollowed : kAllModesTargets;
-    return !same && !lacksPositioner(mode, task_.cell) && !(slow && task_.targets.size() > most);
+    // Who asks for a mode's own objective gets nothing worse than the mode, however long it takes.
+    const bool tooLong =
+        slow && task_.targets.size() > most && task_.params.weights() != ownObjective(mode);
+    return !same && !lacksPositioner(mode, task_.cell) && !tooLong;
   }
 
   /// Search and refinement from one gravity-aligned reference.
@@ -220,6 +236,7 @@ private:
       frame.gauge = following ? followingGauge(task_, frame.family) : constantGauge(task_);
       bool tableFree = false;
       Candidate own = searched(frame, &tableFree);
+      advance();
       searches.emplace_back(RefineFrame{frame.gauge, frame.family, tableFree}, std::move(own));
       if (tableFree || !task_.cell.inverse->freeRotation()) {
         break;  // the table can follow the path instead, or nothing turns about the torch
@@ -233,6 +250,7 @@ private:
     for (std::size_t k = 0; k < searches.size(); ++k) {
       if (k == better || task_.targets.size() <= kBothGaugesTargets) {
         found.push_back(refined(searches[k].first, std::move(searches[k].second)));
+        advance();
       }
     }
     return found;
@@ -289,6 +307,8 @@ private:
   const Task& task_;
   const JobContext& context_;
   const collision::Clearance* clearance_;
+  mutable std::atomic<std::size_t> done_ = 0;
+  std::size_t expected_ = 1;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "search.hpp"
 
+#include "wcam/base/large_pages.hpp"
 #include "wcam/base/parallel.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/cell/angles.hpp"
@@ -15,7 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <memory_resource>
 #include <numeric>
 
 namespace wcam::motion::detail {
@@ -34,7 +35,7 @@ constexpr float kNone = std::numeric_limits<float>::max();
 
 /// The 16-bit back pointers of a rung: table index·2·kLanes + lane (both halves) of the rung
 /// before.
-using BackPointers = std::unique_ptr<std::uint16_t[]>;
+using BackPointers = std::uint16_t*;
 static_assert(kTableSamples * 2 * kLanes <= 65536);
 static_assert(kLanes % kLaneBlock == 0);
 
@@ -196,14 +197,15 @@ private:
     const Rung& rung = frame_.rungs[r];
     const std::size_t states = now.states.cost.size();
     now.cost.resize(2 * states);
-    back_[r] = std::make_unique_for_overwrite<std::uint16_t[]>(states);
+    back_[r] = static_cast<BackPointers>(
+        backMemory_.allocate(states * sizeof(std::uint16_t), alignof(std::uint16_t)));
     std::vector<float>& best = best_;
     best.assign(states, r > 0 ? kNone : 0.0F);
     if (r > 0) {
       if (rung.firstOfRun) {
-        relaxJointMove(rung, before, now, best, back_[r].get());
+        relaxJointMove(rung, before, now, best, back_[r]);
       } else {
-        relaxBand(rung, before, now, best, back_[r].get());
+        relaxBand(rung, before, now, best, back_[r]);
       }
     }
     float least = kNone;
@@ -230,12 +232,10 @@ private:
     const Steps steps = stepsTo(rung, link);
     const int band = link ? kTorchSamples / 2 : kTorchBand;
     std::array<std::int32_t, kLanes> choice;
-    std::vector<std::uint32_t>& starts = starts_;
     std::vector<StepSource>& sources = sources_;
     for (std::size_t table = 0; table < now.states.tables.size(); ++table) {
       const float* to[kSearchRows];
       rowsOf(now.states, table, 0, to);
-      starts.clear();
       sources.clear();
       const double value = now.states.tableValues[table];
       tableBand(before.states, now.states.tables[table], value, steps.tableWraps, link, band_);
@@ -247,16 +247,16 @@ private:
                               cell::Branch::kCount;
           rowsOf(before.states, from, offset, source.rows);
           source.cost = before.cost.data() + from * 2 * kLanes + offset;
+          source.start = static_cast<std::int32_t>(from * 2 * kLanes + offset);
           sources.push_back(source);
-          starts.push_back(static_cast<std::uint32_t>(from * 2 * kLanes + offset));
         }
       }
-      choice.fill(0);
+      choice.fill(sources.front().start);
       relaxLanes(to, sources.data(), static_cast<int>(sources.size()), steps.robot, kLanes,
                  best.data() + table * kLanes, choice.data());
-      for (std::size_t n = 0; n < kLanes && !starts.empty(); ++n) {
-        back[table * kLanes + n] =
-            static_cast<std::uint16_t>(starts[static_cast<std::size_t>(choice[n])] + n);
+      for (int n = 0; n < kLanes; ++n) {
+        back[table * kLanes + static_cast<std::size_t>(n)] =
+            static_cast<std::uint16_t>(choice[static_cast<std::size_t>(n)] + n);
       }
     }
   }
@@ -298,6 +298,7 @@ private:
         sources[s].rows[r] = row.empty() ? unusedRow(r) : row.data() + starts[s];
       }
       sources[s].cost = before.cost.data() + starts[s];
+      sources[s].start = static_cast<std::int32_t>(starts[s]);
     }
     std::array<std::int32_t, kLanes> choice;
     for (std::size_t table = 0; table < now.states.tables.size(); ++table) {
@@ -307,12 +308,11 @@ private:
         const double from = before.states.tableValues[starts[s] / (2 * kLanes)];
         sources[s].base = static_cast<float>(tableCost(steps, from, now.states.tableValues[table]));
       }
-      choice.fill(0);
+      choice.fill(sources.front().start);
       relaxFromStates(to, sources.data(), static_cast<int>(sources.size()), steps.robot, kLanes,
                       best.data() + table * kLanes, choice.data());
       for (std::size_t n = 0; n < kLanes; ++n) {
-        back[table * kLanes + n] =
-            static_cast<std::uint16_t>(starts[static_cast<std::size_t>(choice[n])]);
+        back[table * kLanes + n] = static_cast<std::uint16_t>(choice[n]);
       }
     }
   }
@@ -359,13 +359,14 @@ private:
   const ExtraCosts& extra_;
   StateBuilder builder_;
   CellModel model_;
+  LargePages pages_;
+  std::pmr::monotonic_buffer_resource backMemory_{&pages_};
   std::vector<BackPointers> back_;
   std::vector<std::vector<int>> tables_;
   double offset_ = 0.0;
   // Memory of a step, kept from rung to rung.
   std::vector<float> best_;
   std::vector<std::size_t> band_;
-  std::vector<std::uint32_t> starts_;
   std::vector<StepSource> sources_;
 };
 

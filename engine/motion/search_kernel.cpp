@@ -88,7 +88,7 @@ static WCAM_CLONED void relaxRows(const float* const* to,
       sum += fastest > 1.0F ? cost.tooFast * over : Lanes{};
       const Bits better = sum < least;
       least = better ? sum : least;
-      chosen = better ? (s - Bits{}) : chosen;
+      chosen = better ? (source.start - Bits{}) : chosen;
     }
     __builtin_memcpy(best + begin, &least, sizeof least);
     __builtin_memcpy(choice + begin, &chosen, sizeof chosen);

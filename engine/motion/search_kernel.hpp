@@ -27,10 +27,11 @@ struct StepSource {
   const float* rows[kSearchRows];
   const float* cost;
   float base;
+  std::int32_t start;  ///< number of its lane 0, of the caller's choosing
 };
 
 /// best[n] = min(best[n], least cost of a step from lane n of a source to lane n); choice[n] = the
-/// index of that source. `lanes` is a multiple of kLaneBlock.
+/// `start` of that source. `lanes` is a multiple of kLaneBlock.
 void relaxLanes(const float* const* to,
                 const StepSource* sources,
                 int sourceCount,

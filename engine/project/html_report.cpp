@@ -3,7 +3,9 @@
 #include "wcam/project/html_report.hpp"
 
 #include "wcam/base/json.hpp"
+#include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/toolpath/edits.hpp"
 
 #include "svg_plot.hpp"
 
@@ -178,6 +180,61 @@ std::string findingRows(const std::vector<Diagnostic>& findings) {
   return html + "</table>";
 }
 
+std::string numberText(const Value& number) {
+  std::string text = toCompactJson(number);
+  if (text.ends_with(".0")) {
+    text.resize(text.size() - 2);
+  }
+  return text;
+}
+
+std::string valueText(const ParamDef& def, const Value& value) {
+  if (value.isArray()) {
+    std::string text;
+    for (const Value& item : value.asArray()) {
+      text += (text.empty() ? "" : ", ") + numberText(item);
+    }
+    return text;
+  }
+  if (value.isInteger() && toolpath::isEditIndex(def.info.key) && value.asInteger() >= 0) {
+    return std::to_string(value.asInteger() + 1);
+  }
+  if (!value.isString()) {
+    return numberText(value);
+  }
+  for (const ParamChoice& choice : def.info.choices) {
+    if (choice.key == value.asString() && !choice.label.empty()) {
+      return choice.label;
+    }
+  }
+  return value.asString();
+}
+
+/// The edits of an operation in the order in which they are applied, with what is set in them.
+/// Layers and beads count from 1 here, as in the findings.
+std::string editRows(const Operation& operation) {
+  if (operation.edits.empty()) {
+    return {};
+  }
+  std::string html = "<table><tr><th>Edit</th><th>What</th><th>Settings</th><th></th></tr>";
+  for (const OperationEdit& edit : operation.edits) {
+    std::string settings;
+    const ParamSchema schema = toolpath::editSchema(edit.type).params();
+    for (const ParamDef& def : schema.defs()) {
+      const Value* value = edit.params.find(def.info.key);
+      if (value != nullptr && !value->isNull()) {
+        const std::string unit = fileUnit(def.quantity);
+        settings += (settings.empty() ? "" : "<br>") +
+                    htmlEscaped(def.info.label + ": " + valueText(def, *value) +
+                                (unit.empty() || value->isString() ? "" : " " + unit));
+      }
+    }
+    html += "<tr>" + element("td", edit.id) + element("td", toolpath::infoOf(edit.type).name) +
+            "<td>" + settings + "</td>" + element("td", edit.enabled ? "" : "left out") + "</tr>";
+  }
+  return element("h3", "Edits of the toolpath") + html + "</table>";
+}
+
 const Value* nodeOf(const Value& tree, const char* list, const std::string& id) {
   const Value* nodes = tree.find(list);
   if (nodes == nullptr || !nodes->isArray()) {
@@ -224,8 +281,10 @@ std::string htmlReport(const Document& document, const RunResult& result) {
   }
   for (const OperationResult& operation : result.operations) {
     const Value report = operationReport(operation);
+    const Operation* planned = document.project().operation(operation.id);
     html += "\n" + element("h2", operation.id + " (" + operation.strategy + ")") +
-            figures(operation, report) + picture(operation) + element("h3", "Findings") +
+            figures(operation, report) + picture(operation) +
+            (planned != nullptr ? editRows(*planned) : std::string()) + element("h3", "Findings") +
             findingRows(operation.findings) + processPlots(operation) +
             jointRows(operation, report) + parameters(document, operation.id);
   }

@@ -416,4 +416,8 @@ Edit readEdit(const std::string& id, EditType type, const Value& params) {
   return {id, type, editSchema(type).read(params)};
 }
 
+bool isEditIndex(std::string_view key) noexcept {
+  return key == "first_layer" || key == "last_layer" || key == "bead";
+}
+
 }  // namespace wcam::toolpath

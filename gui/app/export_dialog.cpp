@@ -214,10 +214,7 @@ void ExportDialog::show(const project::RunResult& result) {
   for (const project::OperationResult& operation : result.operations) {
     for (const Diagnostic& d : operation.findings) {
       if (d.severity != Severity::Information) {
-        const FindingRow row = rowOf(d);
-        QString line = row.code + " [" + row.place + "]: " + row.message;
-        line += row.remedy.isEmpty() ? QString() : " (" + row.remedy + ")";
-        html += "<p><small>" + line.toHtmlEscaped() + "</small></p>";
+        html += "<p><small>" + lineText(d).toHtmlEscaped() + "</small></p>";
       }
     }
   }

@@ -34,6 +34,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 namespace wcam::gui {
 
 namespace {
@@ -246,8 +248,12 @@ void MainWindow::connectAll() {
   connect(session_, &Session::failed, this,
           [this](const QString& message) { notify(Status::Error, message); });
   session_->generation().setProgress([this](double fraction, const std::string& label) {
+    // A progress bar repaints itself at once, and with it the 3D view is composed anew: later will
+    // do.
+    progress_->setUpdatesEnabled(false);
     progress_->setValue(static_cast<int>(1000 * fraction));
     progress_->setFormat(engineText(label) + " %p%");
+    progress_->setUpdatesEnabled(true);
   });
   connect(cancel_, &QToolButton::clicked, this,
           [this] { actions_->action("project.cancel")->trigger(); });
@@ -295,6 +301,11 @@ void MainWindow::connectAll() {
 
 void MainWindow::placeOverlay() {
   legend_->move(12, 12);
+  if (view_ != nullptr) {
+    const bool legend = actions_->action("view.legend")->isChecked();
+    view_->view().setInset(
+        legend ? static_cast<int>(std::lround(Legend::kReserved * devicePixelRatioF())) : 0);
+  }
   staleNote_->adjustSize();
   staleNote_->move((stage_->width() - staleNote_->width()) / 2, 12);
 }

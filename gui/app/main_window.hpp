@@ -152,31 +152,36 @@ private:
   void addPointEdits(QMenu& menu, std::size_t move);
   void layerMenu(const QPoint& global);
 
-  // main_window_views.cpp: views of the results
+  // main_window_views.cpp: views of the document
   void showDocument();
   void showNode(const NodeRef& node);
-  void showResults();
-  void showState();
   void showTitle();
   void showHistory();
+  void editNode(const std::string& section, const std::string& key, const Value& value);
+  void nodeMenu(const NodeRef& node, const QPoint& global);
+  void screenshot();
+  [[nodiscard]] std::string shownOperation() const;
+  void setPartStyle(viewport::PartStyle style);
+  void updateSection();
+
+  // main_window_results.cpp: views of the results
+  void showResults();
+  void showState();
   void showProgram();
+  void jump(const FindingRow& row);
+  [[nodiscard]] std::map<NodeRef, Badge> badges() const;
+  [[nodiscard]] std::vector<FindingRow> findingRows() const;
+
+  // main_window_picking.cpp: what the mouse finds in the 3D view
   void showPick(const viewport::Pick& pick);
   void showTip(const viewport::Pick& pick, const QPoint& global);
   void measure(const viewport::Pick& pick);
-  void editNode(const std::string& section, const std::string& key, const Value& value);
-  void jump(const FindingRow& row);
-  void nodeMenu(const NodeRef& node, const QPoint& global);
   void pickMenu(const viewport::Pick& pick, const QPoint& global);
-  void notify(Status status, const QString& text);
-  void hideNotice();
-  void screenshot();
-  [[nodiscard]] std::string shownOperation() const;
   /// The part that a pick names, or null.
   [[nodiscard]] const GeneratedPart* pickedPart(const viewport::Pick& pick) const;
-  [[nodiscard]] std::map<NodeRef, Badge> badges() const;
-  [[nodiscard]] std::vector<FindingRow> findingRows() const;
-  void setPartStyle(viewport::PartStyle style);
-  void updateSection();
+
+  void notify(Status status, const QString& text);
+  void hideNotice();
 
   ViewState state_;
   Session* session_ = nullptr;

@@ -240,7 +240,7 @@ bool MainWindow::openFile(const std::filesystem::path& file) {
     tree_->select({"operations", shownOperation()});
     for (const Diagnostic& finding : findings) {
       if (finding.severity != Severity::Information) {
-        notify(Status::Warning, qt(toLine(finding)));
+        notify(Status::Warning, lineText(finding));
       }
     }
     if (!session_->lockedBy().isEmpty()) {

@@ -145,8 +145,29 @@ public:
     }
   }
 
+  /// The same, chosen from the objects of a list of the project. The label tells more of an object
+  /// than its id: the text of one of its keys.
+  void addObjects(const std::string& key,
+                  const QString& label,
+                  const std::string& list,
+                  const char* detail,
+                  const QString& help) {
+    addList(key, label, help);
+    std::vector<ParamChoice>& choices = lists_[key];
+    if (const Value* nodes = document_.tree().find(list); nodes != nullptr && nodes->isArray()) {
+      for (const Value& node : nodes->asArray()) {
+        const std::string id = node.at("id").asString();
+        const Value* more = node.find(detail);
+        more = more != nullptr && more->isObject() ? more->find("path") : more;
+        const std::string text =
+            more != nullptr && more->isString() ? more->asString() : std::string();
+        choices.push_back({id, text.empty() ? id : id + " – " + text});
+      }
+    }
+  }
+
   FormSection section(const QString& title) const {
-    return {"node", title, ParamSchema(defs_), values_, document_.readOnly()};
+    return {"node", title, ParamSchema(defs_), values_, document_.readOnly(), lists_, {}};
   }
 
 private:
@@ -154,6 +175,7 @@ private:
   const Value& node_;
   std::vector<ParamDef> defs_;
   Value values_ = Value::object();
+  std::map<std::string, std::vector<ParamChoice>> lists_;
 };
 
 QString sideName(const std::string& word) {
@@ -235,8 +257,8 @@ void addFields(Fields& fields,
     fields.addField("enabled", NodeText::tr("Enabled"), ParamType::Bool, Value(true),
                     QuantityKind::None,
                     NodeText::tr("an operation that is not enabled is left out"));
-    fields.addList("parts", NodeText::tr("Parts"),
-                   NodeText::tr("ids of the parts to build, with commas"));
+    fields.addObjects("parts", NodeText::tr("Parts"), "parts", "file",
+                      NodeText::tr("the parts to build"));
     fields.addReference("substrate", NodeText::tr("Substrate"), "substrates", false);
     fields.addReference("guide", NodeText::tr("Guide curve"), "guides", true);
     fields.addReference("process", NodeText::tr("Process"), "processes", false);
@@ -245,8 +267,8 @@ void addFields(Fields& fields,
   } else if (node.list == "outputs") {
     fields.addChoice("post", NodeText::tr("Post-processor"),
                      componentsOf(plugins, plugin::ComponentKind::Post));
-    fields.addList("operations", NodeText::tr("Operations"),
-                   NodeText::tr("ids of operations, with commas; none: all"));
+    fields.addObjects("operations", NodeText::tr("Operations"), "operations", "strategy",
+                      NodeText::tr("the operations to write; none is checked: all"));
     fields.addField("folder", NodeText::tr("Folder"), ParamType::Text, Value(""),
                     QuantityKind::None, NodeText::tr("folder below the output folder"));
   }
@@ -327,10 +349,28 @@ NodeForm editForm(const project::Document& document, const NodeRef& node) {
   Fields fields(document, value);
   fields.addField("enabled", NodeText::tr("Enabled"), ParamType::Bool, Value(true),
                   QuantityKind::None, NodeText::tr("an edit that is not enabled is left out"));
+  // People count layers and beads from 1, as everywhere in the window.
+  std::vector<ParamDef> defs = toolpath::editSchema(edit->type).params().defs();
+  std::set<std::string> indices;
+  for (ParamDef& def : defs) {
+    if (toolpath::isEditIndex(def.info.key)) {
+      indices.insert(def.info.key);
+      def.info.help =
+          utf8(def.info.key == "bead"
+                   ? NodeText::tr("Counted from 1 in each layer; -1 is all beads.")
+                   : NodeText::tr("Counted from 1, as in the view; -1 is the top layer, -2 the one "
+                                  "below it. Belongs to the range."));
+    }
+  }
   return {qt(edit->id),
           {fields.section(NodeText::tr("Settings")),
-           {"params", engineText(info.name), toolpath::editSchema(edit->type).params(),
-            edit->params, document.readOnly()}}};
+           {"params",
+            engineText(info.name),
+            ParamSchema(std::move(defs)),
+            edit->params,
+            document.readOnly(),
+            {},
+            std::move(indices)}}};
 }
 
 project::Command editCommand(const NodeRef& node,

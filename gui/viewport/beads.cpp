@@ -60,11 +60,11 @@ void addCap(BeadSolid& solid, long long first, bool reversed) {
 
 }  // namespace
 
-std::vector<ChunkRange> chunksOf(const PathData& path) {
+std::vector<ChunkRange> chunksOf(const PathData& path, std::size_t most, bool across) {
   std::vector<ChunkRange> chunks;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (chunks.empty() || chunks.back().layer != path.layers[i] ||
-        chunks.back().end - chunks.back().begin >= kChunkMoves) {
+    if (chunks.empty() || (!across && chunks.back().layer != path.layers[i]) ||
+        chunks.back().end - chunks.back().begin >= most) {
       chunks.push_back({i, i, path.layers[i]});
     }
     chunks.back().end = i + 1;
@@ -105,7 +105,10 @@ BeadSolid beadSolid(const PathData& path, const ChunkRange& chunk) {
   return solid;
 }
 
-BeadLines beadLines(const PathData& path, const ChunkRange& chunk, bool travel) {
+BeadLines beadLines(const PathData& path,
+                    const ChunkRange& chunk,
+                    bool travel,
+                    std::size_t stride) {
   BeadLines lines;
   lines.offsets.push_back(0);
   const auto add = [&](std::size_t place, std::size_t like) {
@@ -121,11 +124,16 @@ BeadLines beadLines(const PathData& path, const ChunkRange& chunk, bool travel) 
       if (last < 0 || lastMove + 1 != i) {
         last = add(i - 1, i);
       }
+      lastMove = i;
+      const bool goesOn = i + 1 < chunk.end && (path.deposits[i + 1] != 0) != travel;
+      if (goesOn && (i + 1 - chunk.begin) % stride != 0) {
+        lines.linesUpTo.push_back(static_cast<std::uint32_t>(lines.offsets.size() - 1));
+        continue;
+      }
       const long long next = add(i, i);
       lines.corners.insert(lines.corners.end(), {last, next});
       lines.offsets.push_back(static_cast<long long>(lines.corners.size()));
       last = next;
-      lastMove = i;
     }
     lines.linesUpTo.push_back(static_cast<std::uint32_t>(lines.offsets.size() - 1));
   }

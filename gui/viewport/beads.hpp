@@ -16,15 +16,18 @@ inline constexpr int kSectionCorners = 8;
 /// enough that a million moves make few objects.
 inline constexpr std::size_t kChunkMoves = 4096;
 
-/// A range of moves [begin, end) of one layer.
+/// A range of moves [begin, end), and the layer in which it begins.
 struct ChunkRange {
   std::size_t begin = 0;
   std::size_t end = 0;
   std::uint32_t layer = 0;
 };
 
-/// Cuts a path into chunks: a new one with every layer and after kChunkMoves moves.
-std::vector<ChunkRange> chunksOf(const PathData& path);
+/// Cuts a path into chunks: a new one after `most` moves and, unless `across` layers, with every
+/// layer.
+std::vector<ChunkRange> chunksOf(const PathData& path,
+                                 std::size_t most = kChunkMoves,
+                                 bool across = false);
 
 /// The solid beads of a chunk. The first section stands at the end of the move before the chunk, so
 /// that chunks join. Polygons come in the order of the moves.
@@ -40,7 +43,8 @@ struct BeadSolid {
 
 BeadSolid beadSolid(const PathData& path, const ChunkRange& chunk);
 
-/// The same as lines: one per depositing move (or, with `travel`, one per other move).
+/// The same as lines: one per depositing move (or, with `travel`, one per other move). Of `stride`
+/// points of a bead one is kept, and its ends.
 struct BeadLines {
   std::vector<float> positions;
   std::vector<std::uint32_t> moveOfVertex;
@@ -49,6 +53,9 @@ struct BeadLines {
   std::vector<std::uint32_t> linesUpTo;
 };
 
-BeadLines beadLines(const PathData& path, const ChunkRange& chunk, bool travel);
+BeadLines beadLines(const PathData& path,
+                    const ChunkRange& chunk,
+                    bool travel,
+                    std::size_t stride = 1);
 
 }  // namespace wcam::viewport

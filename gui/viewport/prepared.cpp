@@ -8,6 +8,7 @@
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace wcam::viewport {
@@ -19,6 +20,17 @@ constexpr std::size_t kMaxSolidMoves = 200000;
 /// Triangles of a part that are drawn: more than a view has room for, and few enough for a frame of
 /// software rendering.
 constexpr std::size_t kMostTriangles = 100000;
+/// Triangles of a part while things move, where drawing is slow.
+constexpr std::size_t kCoarseTriangles = 10000;
+/// Triangles that are drawn as one object: a frame of a software renderer holds several.
+constexpr std::size_t kPieceTriangles = 8000;
+/// Moves that are drawn as one object of solids: the same, with 16 triangles each.
+constexpr std::size_t kSolidMoves = 512;
+/// The same of lines, which cost little: an object itself costs more. A range of layers is a range
+/// of moves, so these may go across layers.
+constexpr std::size_t kLineMoves = 16384;
+/// Of so many points of a long path one is drawn while things move.
+constexpr std::size_t kFewStride = 4;
 
 PreparedChunk chunkOf(const ChunkRange& range, BeadSolid built) {
   PreparedChunk chunk;
@@ -50,10 +62,12 @@ PreparedChunk chunkOf(const ChunkRange& range, BeadLines built) {
 
 std::vector<PreparedChunk> prepareChunks(const PathData& path, ChunkKind kind) {
   std::vector<PreparedChunk> chunks;
-  for (const ChunkRange& range : chunksOf(path)) {
+  const bool solid = kind == ChunkKind::Solid;
+  for (const ChunkRange& range : chunksOf(path, solid ? kSolidMoves : kLineMoves, !solid)) {
     chunks.push_back(kind == ChunkKind::Solid
                          ? chunkOf(range, beadSolid(path, range))
-                         : chunkOf(range, beadLines(path, range, kind == ChunkKind::Travel)));
+                         : chunkOf(range, beadLines(path, range, kind == ChunkKind::Travel,
+                                                    kind == ChunkKind::FewLines ? kFewStride : 1)));
   }
   return chunks;
 }
@@ -66,6 +80,19 @@ std::shared_ptr<const PreparedMesh> prepare(MeshData mesh) {
   auto prepared = std::make_shared<PreparedMesh>();
   mesh = simplified(std::move(mesh), kMostTriangles);
   prepared->surface = surfaceOf(mesh);
+  const std::size_t count = mesh.triangles.size() / 3;
+  if (count > kCoarseTriangles) {
+    MeshData coarse = mesh;
+    coarse.edgeBegin.clear();
+    prepared->coarse = surfaceOf(simplified(std::move(coarse), kCoarseTriangles));
+  }
+  for (std::size_t first = 0; first < count || first == 0; first += kPieceTriangles) {
+    vtkNew<vtkPolyData> piece;
+    piece->ShallowCopy(prepared->surface);
+    piece->SetPolys(
+        cellRange(prepared->surface->GetPolys(), first, std::min(first + kPieceTriangles, count)));
+    prepared->pieces.emplace_back(piece);
+  }
   if (mesh.edgeBegin.size() > 1) {
     prepared->edges = edgesOf(mesh);
   }
@@ -79,11 +106,10 @@ std::shared_ptr<const PreparedMesh> prepare(MeshData mesh) {
 std::shared_ptr<PreparedPath> prepare(std::shared_ptr<const PathData> path) {
   auto prepared = std::make_shared<PreparedPath>();
   prepared->data = std::move(path);
-  if (prepared->onlyLines()) {
-    prepared->lines = prepareChunks(*prepared->data, ChunkKind::Lines);
-  } else {
-    prepared->solids = prepareChunks(*prepared->data, ChunkKind::Solid);
-  }
+  const bool onlyLines = prepared->onlyLines();
+  prepared->fine = prepareChunks(*prepared->data, onlyLines ? ChunkKind::Lines : ChunkKind::Solid);
+  prepared->coarse =
+      prepareChunks(*prepared->data, onlyLines ? ChunkKind::FewLines : ChunkKind::Lines);
   return prepared;
 }
 

@@ -18,7 +18,9 @@ class PreparedMesh {
 public:
   MeshData mesh;
   vtkSmartPointer<vtkPolyData> surface;
-  vtkSmartPointer<vtkPolyData> edges;  ///< null when the mesh has none
+  std::vector<vtkSmartPointer<vtkPolyData>> pieces;  ///< of the surface, each drawn quickly
+  vtkSmartPointer<vtkPolyData> coarse;  ///< fewer triangles; null when there are few anyway
+  vtkSmartPointer<vtkPolyData> edges;   ///< null when the mesh has none
   vtkSmartPointer<vtkStaticCellLocator> locator;
 };
 
@@ -32,15 +34,15 @@ struct PreparedChunk {
   bool isLines = false;
 };
 
-enum class ChunkKind { Solid, Lines, Travel };
+enum class ChunkKind { Solid, Lines, FewLines, Travel };
 std::vector<PreparedChunk> prepareChunks(const PathData& path, ChunkKind kind);
 
 class PreparedPath {
 public:
   std::shared_ptr<const PathData> data;
-  std::vector<PreparedChunk> solids;
-  std::vector<PreparedChunk> lines;   ///< made when they are needed first
-  std::vector<PreparedChunk> travel;  ///< the same
+  std::vector<PreparedChunk> fine;    ///< solids, or lines when there are only lines
+  std::vector<PreparedChunk> coarse;  ///< lines, of fewer points when there are only lines
+  std::vector<PreparedChunk> travel;  ///< made when they are needed first
 
   [[nodiscard]] bool onlyLines() const;
 };

@@ -3,34 +3,18 @@
 
 #include "scene.hpp"
 
-#include "prepared_vtk.hpp"
+#include "scene_impl.hpp"
 #include "solids.hpp"
 #include "vtk_arrays.hpp"
 
-#include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
-#include <vtkCellArray.h>
-#include <vtkGenericCell.h>
-#include <vtkMatrix4x4.h>
-#include <vtkNew.h>
-#include <vtkPlane.h>
-#include <vtkPlaneCollection.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace wcam::viewport {
-
-namespace {
 
 void setColour(vtkProperty* property, const Colour& colour) {
   property->SetColor(colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
@@ -41,11 +25,12 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  // Lines come forward, so surfaces need not go back. A surface that does writes its own depth,
+  // and then every hidden pixel of it is computed: with a software renderer most of the time.
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -2.0);
   actor->SetMapper(mapper);
   return actor;
 }
-
-}  // namespace
 
 Theme lightTheme() {
   return {{236, 240, 245}, {250, 251, 253}, {176, 190, 205},
@@ -57,287 +42,9 @@ Theme darkTheme() {
           {205, 214, 224}, {104, 110, 118}, {225, 229, 235}};
 }
 
-namespace {
-
-/// A chunk of the path in the scene: what it shows at present.
-struct Chunk {
-  PreparedChunk* prepared = nullptr;
-  vtkSmartPointer<vtkActor> actor;
-  std::size_t shownBegin = 0;
-  std::size_t shownEnd = 0;
-};
-
-struct PartItem {
-  std::shared_ptr<const PreparedMesh> prepared;
-  vtkSmartPointer<vtkActor> surface;
-  vtkSmartPointer<vtkActor> edges;
-};
-
-}  // namespace
-
-struct Scene::Impl {
-  vtkSmartPointer<vtkRenderer> renderer = vtkSmartPointer<vtkRenderer>::New();
-  Theme theme = lightTheme();
-  vtkNew<vtkMatrix4x4> partPose;
-
-  std::vector<PartItem> parts;
-  PartStyle partStyle = PartStyle::Solid;
-  vtkSmartPointer<vtkActor> substrate;
-  vtkSmartPointer<vtkActor> substrateEdges;
-  bool substrateVisible = true;
-  vtkSmartPointer<vtkActor> markedFaces;
-  vtkSmartPointer<vtkActor> markedEdges;
-
-  std::shared_ptr<PreparedPath> path;
-  std::vector<Chunk> solids;
-  std::vector<Chunk> lines;
-  std::vector<Chunk> travel;
-  std::vector<std::uint8_t> colours;
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  bool travelVisible = false;
-  bool stale = false;
-  bool coarse = false;
-  std::size_t uploads = 0;
-
-  vtkSmartPointer<vtkActor> mark;
-  std::vector<std::vector<vtkSmartPointer<vtkActor>>> bodies;
-  std::vector<bool>
-      surroundings;  ///< per body: floor and fences, left out when everything is fitted
-  bool bodiesVisible = false;
-  std::vector<vtkSmartPointer<vtkActor>> torch;
-  bool torchShown = false;
-
-  vtkNew<vtkPlane> plane;
-  vtkNew<vtkPlaneCollection> planes;
-  bool section = false;
-
-  vtkSmartPointer<vtkActor> measureLine;
-  vtkSmartPointer<vtkBillboardTextActor3D> measureText;
-
-  [[nodiscard]] bool asLines() const { return path && path->onlyLines(); }
-
-  void add(vtkActor* actor) { renderer->AddActor(actor); }
-
-  void remove(vtkProp* actor) {
-    if (actor != nullptr) {
-      renderer->RemoveActor(actor);
-    }
-  }
-
-  void place(vtkActor* actor) {
-    actor->SetUserMatrix(partPose);
-    applySection(actor);
-  }
-
-  void applySection(vtkActor* actor) {
-    actor->GetMapper()->RemoveAllClippingPlanes();
-    if (section) {
-      actor->GetMapper()->SetClippingPlanes(planes);
-    }
-  }
-
-  template <class Visit>
-  void forBuilt(const Visit& visit) {
-    for (PartItem& part : parts) {
-      visit(part.surface.Get());
-      if (part.edges) {
-        visit(part.edges.Get());
-      }
-    }
-    for (auto* list : {&solids, &lines, &travel}) {
-      for (Chunk& chunk : *list) {
-        visit(chunk.actor.Get());
-      }
-    }
-    for (vtkActor* actor : {markedFaces.Get(), markedEdges.Get()}) {
-      if (actor != nullptr) {
-        visit(actor);
-      }
-    }
-  }
-
-  void showParts() {
-    for (PartItem& part : parts) {
-      part.surface->SetVisibility(partStyle == PartStyle::Solid ||
-                                  partStyle == PartStyle::Translucent);
-      vtkProperty* property = part.surface->GetProperty();
-      setColour(property, theme.part);
-      property->SetOpacity(partStyle == PartStyle::Translucent ? 0.22 : 1.0);
-      property->SetAmbient(0.18);
-      property->SetDiffuse(0.82);
-      property->SetSpecular(0.12);
-      property->SetSpecularPower(20.0);
-      if (part.edges) {
-        part.edges->SetVisibility(partStyle != PartStyle::Hidden);
-        setColour(part.edges->GetProperty(), theme.edge);
-        part.edges->GetProperty()->SetOpacity(partStyle == PartStyle::Solid ? 1.0 : 0.55);
-      }
-    }
-  }
-
-  void showSubstrate() {
-    if (substrate) {
-      substrate->SetVisibility(substrateVisible);
-      setColour(substrate->GetProperty(), theme.substrate);
-      // The light comes from the eye, which looks along the plate: without this it would be dark.
-      substrate->GetProperty()->SetAmbient(0.5);
-      substrate->GetProperty()->SetDiffuse(0.6);
-      substrateEdges->SetVisibility(substrateVisible);
-      setColour(substrateEdges->GetProperty(), theme.edge);
-    }
-  }
-
-  void colour(Chunk& chunk) {
-    const PreparedChunk& prepared = *chunk.prepared;
-    const std::size_t count = prepared.moveOfVertex.size();
-    vtkPointData* values = prepared.data->GetPointData();
-    auto* scalars = vtkUnsignedCharArray::SafeDownCast(values->GetScalars());
-    if (scalars == nullptr) {
-      vtkNew<vtkUnsignedCharArray> made;
-      made->SetNumberOfComponents(3);
-      made->SetNumberOfTuples(static_cast<vtkIdType>(count));
-      values->SetScalars(made);
-      scalars = made;
-    }
-    std::uint8_t* out = scalars->GetPointer(0);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t move = prepared.moveOfVertex[i];
-      for (std::size_t c = 0; c < 3; ++c) {
-        int value = 3 * move + 2 < colours.size() ? colours[3 * move + c] : 150;
-        if (stale) {
-          value = 150 + (value - 150) / 5;
-        }
-        out[3 * i + c] = static_cast<std::uint8_t>(value);
-      }
-    }
-    scalars->Modified();
-    prepared.data->Modified();
-  }
-
-  void clear(std::vector<Chunk>& chunks) {
-    for (Chunk& chunk : chunks) {
-      remove(chunk.actor);
-    }
-    chunks.clear();
-  }
-
-  /// Puts prepared chunks into the scene.
-  void addChunks(std::vector<PreparedChunk>& prepared, std::vector<Chunk>& chunks) {
-    for (PreparedChunk& one : prepared) {
-      Chunk chunk;
-      chunk.prepared = &one;
-      chunk.shownBegin = one.range.begin;
-      chunk.shownEnd = one.range.end;
-      // It may have been in the scene before.
-      setCells(one, one.all);
-      chunk.actor = makeActor(one.data);
-      place(chunk.actor);
-      add(chunk.actor);
-      chunks.push_back(chunk);
-    }
-  }
-
-  static void setCells(PreparedChunk& chunk, vtkCellArray* cells) {
-    if (chunk.isLines) {
-      chunk.data->SetLines(cells);
-    } else {
-      chunk.data->SetPolys(cells);
-    }
-    chunk.data->Modified();
-  }
-
-  void makeSolids() {
-    if (path->solids.empty()) {
-      path->solids = prepareChunks(*path->data, ChunkKind::Solid);
-    }
-    addChunks(path->solids, solids);
-    for (Chunk& chunk : solids) {
-      vtkProperty* property = chunk.actor->GetProperty();
-      property->SetAmbient(0.22);
-      property->SetDiffuse(0.8);
-      property->SetSpecular(0.1);
-      property->SetSpecularPower(12.0);
-      colour(chunk);
-    }
-  }
-
-  void makeLines() {
-    if (path->lines.empty()) {
-      path->lines = prepareChunks(*path->data, ChunkKind::Lines);
-    }
-    addChunks(path->lines, lines);
-    for (Chunk& chunk : lines) {
-      chunk.actor->GetProperty()->SetLineWidth(2.0F);
-      chunk.actor->GetProperty()->SetLighting(false);
-      colour(chunk);
-    }
-  }
-
-  void makeTravel() {
-    if (path->travel.empty()) {
-      path->travel = prepareChunks(*path->data, ChunkKind::Travel);
-    }
-    addChunks(path->travel, travel);
-    for (Chunk& chunk : travel) {
-      vtkProperty* property = chunk.actor->GetProperty();
-      property->SetLineWidth(1.0F);
-      property->SetLighting(false);
-      property->SetColor(0.85, 0.45, 0.1);
-      property->SetOpacity(0.7);
-    }
-  }
-
-  /// Shows the moves of a chunk that lie in [begin, end): the rest is left out of its cells.
-  void show(Chunk& chunk, bool wanted) {
-    PreparedChunk& prepared = *chunk.prepared;
-    const ChunkRange& range = prepared.range;
-    const std::size_t from = std::clamp(begin, range.begin, range.end);
-    const std::size_t to = std::clamp(end, range.begin, range.end);
-    chunk.actor->SetVisibility(wanted && from < to);
-    if (!wanted || from >= to || (from == chunk.shownBegin && to == chunk.shownEnd)) {
-      return;
-    }
-    chunk.shownBegin = from;
-    chunk.shownEnd = to;
-    if (from == range.begin && to == range.end) {
-      setCells(prepared, prepared.all);
-    } else {
-      const std::size_t first =
-          from == range.begin ? 0 : prepared.cellsUpTo[from - range.begin - 1];
-      setCells(prepared, cellRange(prepared.all, first, prepared.cellsUpTo[to - range.begin - 1]));
-    }
-    ++uploads;
-  }
-
-  void showPath() {
-    if (!path) {
-      return;
-    }
-    const bool useLines = asLines() || coarse;
-    if (useLines && lines.empty()) {
-      makeLines();
-    }
-    if (!useLines && solids.empty()) {
-      makeSolids();
-    }
-    if (travelVisible && travel.empty()) {
-      makeTravel();
-    }
-    for (Chunk& chunk : solids) {
-      show(chunk, !useLines);
-    }
-    for (Chunk& chunk : lines) {
-      show(chunk, useLines);
-    }
-    for (Chunk& chunk : travel) {
-      show(chunk, travelVisible);
-    }
-  }
-};
-
 Scene::Scene() : impl_(std::make_unique<Impl>()) {
   impl_->planes->AddItem(impl_->plane);
+  impl_->renderer->AddCuller(impl_->culler);
   impl_->renderer->SetGradientBackground(true);
   impl_->renderer->UseFXAAOn();
   for (const Solid& solid : torchSolids()) {
@@ -373,7 +80,7 @@ void Scene::setTheme(const Theme& theme) {
 
 void Scene::setParts(std::vector<std::shared_ptr<const PreparedMesh>> parts) {
   for (PartItem& part : impl_->parts) {
-    impl_->remove(part.surface);
+    part.forSurface([this](vtkActor* actor) { impl_->remove(actor); });
     impl_->remove(part.edges);
   }
   impl_->parts.clear();
@@ -381,9 +88,19 @@ void Scene::setParts(std::vector<std::shared_ptr<const PreparedMesh>> parts) {
   setMarkedEdges({});
   for (std::shared_ptr<const PreparedMesh>& mesh : parts) {
     PartItem item;
-    item.surface = makeActor(mesh->surface);
-    impl_->place(item.surface);
-    impl_->add(item.surface);
+    for (const vtkSmartPointer<vtkPolyData>& piece : mesh->pieces) {
+      item.surface.push_back(makeActor(piece));
+      impl_->place(item.surface.back());
+      impl_->add(item.surface.back());
+      if (mesh->coarse) {
+        impl_->details[item.surface.back()] = Detail::Fine;
+      }
+    }
+    if (mesh->coarse) {
+      item.coarse = makeActor(mesh->coarse);
+      impl_->place(item.coarse);
+      impl_->add(item.coarse, Detail::Coarse);
+    }
     if (mesh->edges) {
       item.edges = makeActor(mesh->edges);
       item.edges->GetProperty()->SetLineWidth(1.6F);
@@ -450,7 +167,7 @@ void Scene::setMarkedFaces(const std::vector<std::pair<int, int>>& faces) {
   }
   impl_->markedFaces = makeActor(surfaceOf(marked));
   impl_->markedFaces->GetProperty()->SetColor(1.0, 0.6, 0.1);
-  impl_->markedFaces->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -2.0);
+  impl_->markedFaces->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-4.0, -4.0);
   impl_->place(impl_->markedFaces);
   impl_->add(impl_->markedFaces);
 }
@@ -485,44 +202,6 @@ void Scene::setMarkedEdges(const std::vector<std::pair<int, int>>& edges) {
   impl_->add(impl_->markedEdges);
 }
 
-void Scene::setPath(std::shared_ptr<PreparedPath> path) {
-  impl_->clear(impl_->solids);
-  impl_->clear(impl_->lines);
-  impl_->clear(impl_->travel);
-  impl_->path = std::move(path);
-  impl_->colours.clear();
-  impl_->begin = 0;
-  impl_->end = impl_->path ? impl_->path->data->size() : 0;
-  impl_->showPath();
-}
-
-void Scene::setPathColours(const std::vector<std::uint8_t>& colours) {
-  impl_->colours = colours;
-  for (auto* list : {&impl_->solids, &impl_->lines}) {
-    for (Chunk& chunk : *list) {
-      impl_->colour(chunk);
-    }
-  }
-}
-
-void Scene::setRange(std::size_t begin, std::size_t end) {
-  impl_->begin = begin;
-  impl_->end = end;
-  impl_->showPath();
-}
-
-void Scene::setTravelVisible(bool visible) {
-  impl_->travelVisible = visible;
-  impl_->showPath();
-}
-
-void Scene::setStale(bool stale) {
-  if (stale != impl_->stale) {
-    impl_->stale = stale;
-    setPathColours(std::vector<std::uint8_t>(impl_->colours));
-  }
-}
-
 void Scene::setMark(std::optional<Point> position) {
   impl_->mark->SetVisibility(position.has_value());
   if (position) {
@@ -532,17 +211,6 @@ void Scene::setMark(std::optional<Point> position) {
     const double size = std::max({box[1] - box[0], box[3] - box[2], box[5] - box[4], 1.0});
     impl_->mark->SetScale(0.012 * size);
   }
-}
-
-void Scene::setCoarse(bool coarse) {
-  if (coarse != impl_->coarse) {
-    impl_->coarse = coarse;
-    impl_->showPath();
-  }
-}
-
-bool Scene::drawsLines() const {
-  return impl_->asLines();
 }
 
 void Scene::setBodies(const std::vector<Body>& bodies) {
@@ -668,9 +336,9 @@ std::array<double, 6> Scene::bounds() const {
     empty = false;
   };
   for (const PartItem& part : impl_->parts) {
-    grow(part.surface);
+    part.forSurface(grow);
   }
-  for (const auto* list : {&impl_->solids, &impl_->lines}) {
+  for (const auto* list : {&impl_->fine, &impl_->coarse}) {
     for (const Chunk& chunk : *list) {
       grow(chunk.actor);
     }
@@ -686,197 +354,6 @@ std::array<double, 6> Scene::bounds() const {
     }
   }
   return box;
-}
-
-std::size_t Scene::uploads() const {
-  return impl_->uploads;
-}
-
-// --- picking
-
-namespace {
-
-/// Pixel and depth of a point, or nothing when it lies behind the eye.
-struct Projector {
-  explicit Projector(const Scene::Ray& r, const Matrix& partPose) : ray(r) {
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) {
-        double sum = 0.0;
-        for (int k = 0; k < 4; ++k) {
-          sum += r.worldToClip[4 * i + k] * partPose[4 * k + j];
-        }
-        m[4 * i + j] = sum;
-      }
-    }
-  }
-
-  bool operator()(const float* p, double& x, double& y, double& depth) const {
-    const auto row = [&](int i) {
-      return m[4 * i] * p[0] + m[4 * i + 1] * p[1] + m[4 * i + 2] * p[2] + m[4 * i + 3];
-    };
-    const double w = row(3);
-    if (w <= 0.0) {
-      return false;
-    }
-    x = (row(0) / w + 1.0) * 0.5 * ray.width;
-    y = (row(1) / w + 1.0) * 0.5 * ray.height;
-    depth = row(2) / w;
-    return depth >= -1.0 && depth <= 1.0;
-  }
-
-  const Scene::Ray& ray;
-  Matrix m{};
-};
-
-Matrix valuesOf(const vtkMatrix4x4* matrix) {
-  Matrix values{};
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      values[4 * i + j] = matrix->GetElement(i, j);
-    }
-  }
-  return values;
-}
-
-Point placed(const Matrix& m, const float* p) {
-  Point out{};
-  for (int i = 0; i < 3; ++i) {
-    out[i] = m[4 * i] * p[0] + m[4 * i + 1] * p[1] + m[4 * i + 2] * p[2] + m[4 * i + 3];
-  }
-  return out;
-}
-
-/// The nearest to the eye of what lies within reach of the pixel; among equally near ones (a bead's
-/// own points) the one that is nearest to the pixel.
-struct Nearest {
-  double best = std::numeric_limits<double>::infinity();
-
-  bool take(double pixels, double depth, double reach) {
-    // One pixel off counts like a small step in depth, so that the point aimed at wins.
-    const double score = depth + 2e-3 * pixels;
-    if (pixels > reach || score >= best) {
-      return false;
-    }
-    best = score;
-    return true;
-  }
-};
-
-}  // namespace
-
-Pick Scene::pickMove(const Ray& ray) const {
-  Pick pick;
-  if (!impl_->path) {
-    return pick;
-  }
-  const PathData& path = *impl_->path->data;
-  const Matrix pose = valuesOf(impl_->partPose);
-  const Projector project(ray, pose);
-  Nearest nearest;
-  for (std::size_t i = impl_->begin; i < std::min(impl_->end, path.size()); ++i) {
-    // First points of beads are picked as well: the move after them deposits.
-    if (path.deposits[i] == 0 && (i + 1 >= path.size() || path.deposits[i + 1] == 0)) {
-      continue;
-    }
-    double x = 0.0;
-    double y = 0.0;
-    double depth = 0.0;
-    if (project(&path.positions[3 * i], x, y, depth) &&
-        nearest.take(std::hypot(x - ray.x, y - ray.y), depth, ray.reach)) {
-      pick.kind = Pick::Kind::Move;
-      pick.index = static_cast<int>(i);
-    }
-  }
-  if (pick.kind == Pick::Kind::Move) {
-    pick.position = placed(pose, &path.positions[3 * static_cast<std::size_t>(pick.index)]);
-  }
-  return pick;
-}
-
-Pick Scene::pickEdge(const Ray& ray) const {
-  Pick pick;
-  if (impl_->partStyle == PartStyle::Hidden) {
-    return pick;
-  }
-  const Matrix pose = valuesOf(impl_->partPose);
-  const Projector project(ray, pose);
-  Nearest nearest;
-  for (std::size_t part = 0; part < impl_->parts.size(); ++part) {
-    const MeshData& mesh = impl_->parts[static_cast<std::size_t>(part)].prepared->mesh;
-    for (std::size_t e = 0; e + 1 < mesh.edgeBegin.size(); ++e) {
-      for (std::size_t i = mesh.edgeBegin[e]; i + 1 < mesh.edgeBegin[e + 1]; ++i) {
-        std::array<double, 3> a{};
-        std::array<double, 3> b{};
-        if (!project(&mesh.edgePositions[3 * i], a[0], a[1], a[2]) ||
-            !project(&mesh.edgePositions[3 * (i + 1)], b[0], b[1], b[2])) {
-          continue;
-        }
-        const double dx = b[0] - a[0];
-        const double dy = b[1] - a[1];
-        const double length2 = dx * dx + dy * dy;
-        const double t =
-            length2 > 0.0
-                ? std::clamp(((ray.x - a[0]) * dx + (ray.y - a[1]) * dy) / length2, 0.0, 1.0)
-                : 0.0;
-        const double off = std::hypot(a[0] + t * dx - ray.x, a[1] + t * dy - ray.y);
-        if (nearest.take(off, a[2] + t * (b[2] - a[2]), 0.6 * ray.reach)) {
-          pick.kind = Pick::Kind::Edge;
-          pick.part = static_cast<int>(part);
-          pick.index = mesh.edgeIds.empty() ? static_cast<int>(e) : mesh.edgeIds[e];
-          const float* p = &mesh.edgePositions[3 * (t < 0.5 ? i : i + 1)];
-          pick.position = placed(pose, p);
-        }
-      }
-    }
-  }
-  return pick;
-}
-
-Pick Scene::pickFace(const Ray& ray) const {
-  Pick pick;
-  if (impl_->partStyle != PartStyle::Solid && impl_->partStyle != PartStyle::Translucent) {
-    return pick;
-  }
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(impl_->partPose, inverse);
-  const Matrix back = valuesOf(inverse);
-  const auto map = [&back](const Point& p, double w) {
-    Point out{};
-    for (int i = 0; i < 3; ++i) {
-      out[i] = back[4 * i] * p[0] + back[4 * i + 1] * p[1] + back[4 * i + 2] * p[2] +
-               back[4 * i + 3] * w;
-    }
-    return out;
-  };
-  const Point from = map(ray.eye, 1.0);
-  const Point along = map(ray.direction, 0.0);
-  constexpr double kFar = 1e6;  // mm: beyond every cell
-  double to[3] = {from[0] + kFar * along[0], from[1] + kFar * along[1], from[2] + kFar * along[2]};
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < impl_->parts.size(); ++i) {
-    const PartItem& part = impl_->parts[i];
-    double t = 0.0;
-    double x[3];
-    double local[3];
-    int sub = 0;
-    vtkIdType cell = -1;
-    vtkNew<vtkGenericCell> generic;
-    double start[3] = {from[0], from[1], from[2]};
-    if (part.prepared->locator->IntersectWithLine(start, to, 1e-6, t, x, local, sub, cell,
-                                                  generic) != 0 &&
-        t < best) {
-      best = t;
-      pick.kind = Pick::Kind::Face;
-      pick.part = static_cast<int>(i);
-      pick.index = part.prepared->mesh.faces.empty()
-                       ? -1
-                       : part.prepared->mesh.faces[static_cast<std::size_t>(cell)];
-      const float hit[3] = {static_cast<float>(x[0]), static_cast<float>(x[1]),
-                            static_cast<float>(x[2])};
-      pick.position = placed(valuesOf(impl_->partPose), hit);
-    }
-  }
-  return pick;
 }
 
 }  // namespace wcam::viewport

@@ -51,6 +51,7 @@ public:
   void setMarkedEdges(const std::vector<std::pair<int, int>>& edges);
 
   // The path.
+  /// Without colours until they are set.
   void setPath(std::shared_ptr<PreparedPath> path);
   /// Three bytes per move.
   void setPathColours(const std::vector<std::uint8_t>& colours);
@@ -60,8 +61,6 @@ public:
   void setStale(bool stale);
   /// Marks one move; none hides the mark.
   void setMark(std::optional<Point> position);
-  /// True while the camera moves and drawing solids is slow.
-  void setCoarse(bool coarse);
   [[nodiscard]] bool drawsLines() const;  ///< too many moves for solids
 
   // The cell; poses in the part frame.
@@ -98,9 +97,28 @@ public:
   [[nodiscard]] Pick pickEdge(const Ray& ray) const;
   [[nodiscard]] Pick pickFace(const Ray& ray) const;
 
-  /// Number of chunks whose polygons were given to VTK since the start: tells tests what a change
-  /// costs.
+  /// Number of chunks in full detail whose cells were given to VTK since the start: tells tests
+  /// what a change costs.
   [[nodiscard]] std::size_t uploads() const;
+
+  // What a frame draws. A picture in full detail may take too long for one: then portions of it are
+  // drawn onto each other. A coarse picture has lines for beads and fewer triangles of parts.
+  enum class Detail { Fine, Coarse };
+  /// Triangles of a picture. What was not drawn before counts more.
+  [[nodiscard]] double triangles(Detail detail) const;
+  /// The next frame draws a whole picture. @return its triangles
+  double chooseAll(Detail detail);
+  /// Begins a picture in portions.
+  /// @param capacity triangles of a frame: translucent parts that have more are taken coarse, since
+  /// they are mixed in one go
+  void beginPortions(double capacity);
+  /// The next frame draws the next portion. @return its triangles
+  double choosePortion(double capacity);
+  /// A small object of each kind that is drawn, for a first frame that nobody sees.
+  void addSamples();
+  void removeSamples();
+  /// True when the last portion was chosen.
+  [[nodiscard]] bool portionsComplete() const;
 
 private:
   struct Impl;

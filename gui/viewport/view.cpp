@@ -9,16 +9,13 @@
 #include <vtkCamera.h>
 #include <vtkCaptionActor2D.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
-#include <vtkPNGWriter.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <chrono>
@@ -28,8 +25,6 @@ namespace wcam::viewport {
 
 namespace {
 
-// A frame that takes longer makes the scene coarse while the camera moves, s.
-constexpr double kSlowFrame = 0.07;
 // Degrees per pixel of the mouse.
 constexpr double kTurn = 0.35;
 
@@ -100,7 +95,11 @@ struct View::Impl {
   bool ready = false;
   int width = 1;
   int height = 1;
-  double frameTime = 0.0;
+  int inset = 0;
+  FrameBudget budget;
+
+  /// Draws what the scene has chosen.
+  void draw(bool first, bool last, bool smooth, double triangles);
 
   [[nodiscard]] vtkCamera* camera() const { return scene.renderer()->GetActiveCamera(); }
 
@@ -189,6 +188,10 @@ void View::initializeGl() {
   d.window->OpenGLInit();
   d.window->SetReadyForRendering(true);
   d.ready = true;
+  d.scene.addSamples();
+  render(Scene::Detail::Fine);
+  d.scene.removeSamples();
+  d.budget = FrameBudget();
 }
 
 void View::releaseGl() {
@@ -209,36 +212,63 @@ void View::resize(int width, int height) {
   impl_->window->SetSize(impl_->width, impl_->height);
 }
 
-unsigned View::render() {
-  Impl& d = *impl_;
-  if (!d.ready) {
-    return 0;
-  }
+void View::Impl::draw(bool first, bool last, bool smooth, double triangles) {
   const auto start = std::chrono::steady_clock::now();
-  vtkOpenGLState* state = d.window->GetState();
+  vtkOpenGLState* state = window->GetState();
   state->Reset();
   state->Push();
   state->vtkglDepthFunc(0x0203);  // GL_LEQUAL
-  // The axes in the corner turn with the camera.
-  vtkCamera* camera = d.camera();
-  const Point from = unit(minus(pointOf(camera->GetPosition()), pointOf(camera->GetFocalPoint())));
-  vtkCamera* own = d.corner->GetActiveCamera();
-  own->SetFocalPoint(0, 0, 0);
-  own->SetPosition(scaled(from, 5.5).data());
-  own->SetViewUp(camera->GetViewUp());
-  d.corner->ResetCameraClippingRange();
-  d.scene.renderer()->ResetCameraClippingRange();
-  d.window->Render();
-  d.frameTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return d.window->GetRenderFramebuffer()->GetFBOIndex();
+  if (first) {
+    // The axes in the corner turn with the camera.
+    const Point from =
+        unit(minus(pointOf(camera()->GetPosition()), pointOf(camera()->GetFocalPoint())));
+    vtkCamera* own = corner->GetActiveCamera();
+    own->SetFocalPoint(0, 0, 0);
+    own->SetPosition(scaled(from, 5.5).data());
+    own->SetViewUp(camera()->GetViewUp());
+    corner->ResetCameraClippingRange();
+    scene.renderer()->ResetCameraClippingRange();
+  }
+  scene.renderer()->SetErase(first ? 1 : 0);
+  scene.renderer()->SetUseFXAA(last && smooth);
+  corner->SetDraw(last ? 1 : 0);
+  window->Render();
+  window->WaitForCompletion();
+  state->Pop();
+  budget.drawn(triangles,
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-void View::endFrame() {
-  impl_->window->GetState()->Pop();
+bool View::fitsOneFrame() const {
+  return impl_->scene.triangles(Scene::Detail::Fine) <= impl_->budget.capacity();
 }
 
-double View::frameTime() const {
-  return impl_->frameTime;
+void View::render(Scene::Detail detail) {
+  if (impl_->ready) {
+    const double triangles = impl_->scene.chooseAll(detail);
+    impl_->draw(true, true, detail == Scene::Detail::Fine, triangles);
+  }
+}
+
+bool View::renderPortion(bool first) {
+  Impl& d = *impl_;
+  if (!d.ready) {
+    return true;
+  }
+  if (first) {
+    d.scene.beginPortions(d.budget.capacity());
+  }
+  const double triangles = d.scene.choosePortion(d.budget.capacity());
+  d.draw(first, d.scene.portionsComplete(), true, triangles);
+  return d.scene.portionsComplete();
+}
+
+unsigned View::framebuffer() const {
+  return impl_->ready ? impl_->window->GetRenderFramebuffer()->GetFBOIndex() : 0;
+}
+
+const FrameBudget& View::budget() const {
+  return impl_->budget;
 }
 
 void View::orbit(double dx, double dy) {
@@ -281,7 +311,8 @@ void View::zoom(double factor, double x, double y) {
   Impl& d = *impl_;
   vtkCamera* camera = d.camera();
   // What is under the mouse stays there.
-  pan(0.5 * d.width - x, 0.5 * d.height - y);
+  const double middle = 0.5 * d.width * (1.0 - camera->GetWindowCenter()[0]);
+  pan(middle - x, 0.5 * d.height - y);
   if (camera->GetParallelProjection() != 0) {
     camera->SetParallelScale(camera->GetParallelScale() / factor);
   } else {
@@ -289,7 +320,7 @@ void View::zoom(double factor, double x, double y) {
     const Point arm = minus(pointOf(camera->GetPosition()), focal);
     d.setCamera(focal, plus(focal, scaled(arm, 1.0 / factor)), pointOf(camera->GetViewUp()));
   }
-  pan(x - 0.5 * d.width, y - 0.5 * d.height);
+  pan(x - middle, y - 0.5 * d.height);
 }
 
 void View::setStandardView(StandardView view) {
@@ -317,8 +348,13 @@ void View::setStandardView(StandardView view) {
 void View::fit() {
   const std::array<double, 6> box = impl_->scene.bounds();
   if (box[0] <= box[1]) {
-    impl_->scene.renderer()->ResetCamera(box.data());
-    impl_->camera()->Zoom(1.08);
+    Impl& d = *impl_;
+    // The middle of the picture goes to the middle of what is free, and a narrow view holds less.
+    const double free = std::max(d.width - d.inset, d.width / 2);
+    const auto shape = [&d](double width) { return std::min(width / d.height, 1.0); };
+    d.camera()->SetWindowCenter(free / d.width - 1.0, 0.0);
+    d.scene.renderer()->ResetCamera(box.data());
+    d.camera()->Zoom(1.08 * shape(free) / shape(d.width));
     if (impl_->camera()->GetParallelProjection() == 0) {
       // Zoom() narrows the angle; the same by coming nearer, so that the perspective stays.
       const double angle = impl_->camera()->GetViewAngle();
@@ -326,6 +362,10 @@ void View::fit() {
       impl_->camera()->Dolly(30.0 / angle);
     }
   }
+}
+
+void View::setInset(int left) {
+  impl_->inset = std::max(left, 0);
 }
 
 void View::setParallel(bool on) {
@@ -341,10 +381,6 @@ void View::lookAt(const Point& target) {
   Impl& d = *impl_;
   const Point arm = minus(pointOf(d.camera()->GetPosition()), pointOf(d.camera()->GetFocalPoint()));
   d.setCamera(target, plus(target, arm), pointOf(d.camera()->GetViewUp()));
-}
-
-void View::setMoving(bool moving) {
-  impl_->scene.setCoarse(moving && impl_->frameTime > kSlowFrame);
 }
 
 Pick View::pick(double x, double y, Wanted wanted) const {
@@ -371,45 +407,6 @@ std::array<double, 2> View::project(const Point& p) const {
   }
   return {(clip[0] / clip[3] + 1.0) * 0.5 * ray.width,
           ray.height - (clip[1] / clip[3] + 1.0) * 0.5 * ray.height};
-}
-
-Image View::image() {
-  Image image;
-  if (!impl_->ready) {
-    return image;
-  }
-  image.width = impl_->width;
-  image.height = impl_->height;
-  vtkNew<vtkUnsignedCharArray> pixels;
-  impl_->window->GetPixelData(0, 0, image.width - 1, image.height - 1, 0, pixels.Get(), 0);
-  image.rgb.resize(3 * static_cast<std::size_t>(image.width) * image.height);
-  const std::size_t row = 3 * static_cast<std::size_t>(image.width);
-  for (int y = 0; y < image.height; ++y) {
-    const unsigned char* from = pixels->GetPointer(0) + row * (image.height - 1 - y);
-    std::copy(from, from + row, image.rgb.begin() + static_cast<std::ptrdiff_t>(row * y));
-  }
-  return image;
-}
-
-bool View::savePng(const std::string& file) {
-  const Image picture = image();
-  if (picture.rgb.empty()) {
-    return false;
-  }
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(picture.width, picture.height, 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
-  auto* out = static_cast<unsigned char*>(data->GetScalarPointer());
-  for (int y = 0; y < picture.height; ++y) {
-    std::copy_n(picture.rgb.begin() + static_cast<std::ptrdiff_t>(row * (picture.height - 1 - y)),
-                row, out + row * y);
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(data);
-  writer->Write();
-  return writer->GetErrorCode() == 0;
 }
 
 }  // namespace wcam::viewport

@@ -2,21 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "frame_budget.hpp"
 #include "scene.hpp"
 
 #include <functional>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace wcam::viewport {
-
-/// An image, rows from the top, three bytes per pixel.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgb;
-};
 
 /// The 3D view in an OpenGL context that somebody else owns: the window toolkit makes the context
 /// and copies what is drawn; this class knows cameras and pixels. Pixels count from the upper left.
@@ -31,16 +23,22 @@ public:
 
   // The context. Its functions are called with the context current.
   void setMakeCurrent(std::function<void()> makeCurrent);
+  /// Also draws a little of everything once: a renderer compiles its programs when they are needed
+  /// first, which would hold up the first pictures.
   void initializeGl();
   void releaseGl();
   [[nodiscard]] bool ready() const;
   void resize(int width, int height);
-  /// Draws, and gives the framebuffer object that holds the picture.
-  unsigned render();
-  /// After the toolkit has copied the picture.
-  void endFrame();
-  /// Of the last render, s.
-  [[nodiscard]] double frameTime() const;
+  /// True when the whole picture can be drawn at once without keeping anybody waiting.
+  [[nodiscard]] bool fitsOneFrame() const;
+  /// Draws a whole picture at once.
+  void render(Scene::Detail detail);
+  /// Draws the next portion of a picture onto those before it; the first one clears.
+  /// @return true when the picture is complete
+  bool renderPortion(bool first);
+  /// Framebuffer object of the last picture; 0 before there is a context.
+  [[nodiscard]] unsigned framebuffer() const;
+  [[nodiscard]] const FrameBudget& budget() const;
 
   // The camera.
   void orbit(double dx, double dy);
@@ -48,11 +46,11 @@ public:
   void zoom(double factor, double x, double y);
   void setStandardView(StandardView view);
   void fit();
+  /// Pixels at the left that fitting leaves free, for what stands over the view.
+  void setInset(int left);
   void setParallel(bool on);
   [[nodiscard]] bool parallel() const;
   void lookAt(const Point& target);
-  /// While the user moves the camera a slow scene is drawn as lines.
-  void setMoving(bool moving);
 
   /// What lies under a pixel: path points first, then edges, then faces.
   struct Wanted {
@@ -64,11 +62,6 @@ public:
   [[nodiscard]] Pick pick(double x, double y, Wanted wanted) const;
   /// Pixel at which a point of the world is drawn.
   [[nodiscard]] std::array<double, 2> project(const Point& p) const;
-
-  /// The last picture. Call with the context current.
-  [[nodiscard]] Image image();
-  /// Writes the last picture as PNG. @return false when the file cannot be written
-  bool savePng(const std::string& file);
 
 private:
   struct Impl;

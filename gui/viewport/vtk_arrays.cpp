@@ -80,8 +80,9 @@ vtkSmartPointer<vtkCellArray> cellRange(vtkCellArray* cells, std::size_t first, 
 }
 
 vtkSmartPointer<vtkPolyData> surfaceOf(const MeshData& mesh) {
-  // One vertex per corner: normals are averaged over the triangles of the same face around a vertex
-  // whose normals differ by less than the crease angle.
+  // Normals are averaged over the triangles of the same face around a vertex whose normals differ
+  // by less than the crease angle. Corners of a vertex that get the same normal share it: most of
+  // them do, and a renderer computes each vertex once.
   constexpr float kCrease = 0.8F;  // cosine of 37°
   const std::size_t count = mesh.triangles.size() / 3;
   std::vector<Vector> normals(count);
@@ -104,8 +105,9 @@ vtkSmartPointer<vtkPolyData> surfaceOf(const MeshData& mesh) {
   std::vector<float> cornerNormals;
   std::vector<long long> offsets = {0};
   std::vector<long long> corners;
-  positions.reserve(3 * mesh.triangles.size());
-  cornerNormals.reserve(3 * mesh.triangles.size());
+  std::vector<long long> latest(mesh.positions.size() / 3, -1);  // vertex made last for a vertex
+  std::vector<long long> before;  // per vertex made: the one before for the same vertex
+  corners.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::uint32_t v = mesh.triangles[i];
     const Vector own = unit(normals[i / 3]);
@@ -119,9 +121,22 @@ vtkSmartPointer<vtkPolyData> surfaceOf(const MeshData& mesh) {
       }
     }
     const Vector n = unit(sum);
-    positions.insert(positions.end(), &mesh.positions[3 * v], &mesh.positions[3 * v] + 3);
-    cornerNormals.insert(cornerNormals.end(), {n.x, n.y, n.z});
-    corners.push_back(static_cast<long long>(i));
+    const auto same = [&](long long made) {
+      const float* old = &cornerNormals[3 * static_cast<std::size_t>(made)];
+      return old[0] == n.x && old[1] == n.y && old[2] == n.z;
+    };
+    long long made = latest[v];
+    while (made >= 0 && !same(made)) {
+      made = before[static_cast<std::size_t>(made)];
+    }
+    if (made < 0) {
+      made = static_cast<long long>(before.size());
+      before.push_back(latest[v]);
+      latest[v] = made;
+      positions.insert(positions.end(), &mesh.positions[3 * v], &mesh.positions[3 * v] + 3);
+      cornerNormals.insert(cornerNormals.end(), {n.x, n.y, n.z});
+    }
+    corners.push_back(made);
     if (i % 3 == 2) {
       offsets.push_back(static_cast<long long>(i + 1));
     }

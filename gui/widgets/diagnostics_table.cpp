@@ -43,6 +43,12 @@ FindingRow rowOf(const Diagnostic& diagnostic) {
   return row;
 }
 
+QString lineText(const Diagnostic& diagnostic) {
+  const FindingRow row = rowOf(diagnostic);
+  return row.code + (row.place.isEmpty() ? QString() : " [" + row.place.trimmed() + "]") + ": " +
+         row.message + (row.remedy.isEmpty() ? QString() : " (" + row.remedy + ")");
+}
+
 class DiagnosticsTable::Model : public QAbstractTableModel {
 public:
   Model(const std::vector<FindingRow>& rows, QObject* parent)

@@ -4,14 +4,18 @@
 #include "icons.hpp"
 
 #include <QApplication>
+#include <QHash>
+#include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
 #include <QPixmap>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
+#include <utility>
 
 namespace wcam::gui {
 
@@ -312,6 +316,53 @@ QPixmap drawn(const Draw& draw, int size, const QColor& line, const QColor& acce
   return pixmap;
 }
 
+/// Draws an icon in the sizes that are asked for, each once: drawing all sizes of all icons at the
+/// start would take a tenth of a second.
+class DrawnIcon : public QIconEngine {
+public:
+  DrawnIcon(Draw draw, const QColor& line, const QColor& accent, const QColor& grey)
+      : draw_(std::move(draw)), line_(line), accent_(accent), grey_(grey) {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    const double ratio = painter->device()->devicePixelRatioF();
+    painter->drawPixmap(rect, pixmap((QSizeF(rect.size()) * ratio).toSize(), mode, state));
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State /*state*/) override {
+    const int side = std::max(1, std::min(size.width(), size.height()));
+    const bool off = mode == QIcon::Disabled;
+    QPixmap& made = made_[{side, off}];
+    if (made.isNull()) {
+      made = drawn(draw_, side, off ? grey_ : line_, off ? grey_ : accent_);
+    }
+    return made;
+  }
+
+  QList<QSize> availableSizes(QIcon::Mode /*mode*/, QIcon::State /*state*/) override {
+    return {{16, 16}, {20, 20}, {24, 24}, {32, 32}, {48, 48}, {64, 64}, {128, 128}, {256, 256}};
+  }
+
+  [[nodiscard]] QIconEngine* clone() const override { return new DrawnIcon(*this); }
+
+private:
+  Draw draw_;
+  QColor line_;
+  QColor accent_;
+  QColor grey_;
+  std::map<std::pair<int, bool>, QPixmap> made_;  ///< by size and whether it is disabled
+};
+
+/// Icons that are shared by all who ask for them. Pixmaps must go before the application.
+QHash<QString, QIcon>& keptIcons() {
+  static QHash<QString, QIcon> kept;
+  static const bool once = [] {
+    qAddPostRoutine([] { keptIcons().clear(); });
+    return true;
+  }();
+  static_cast<void>(once);
+  return kept;
+}
+
 }  // namespace
 
 QIcon icon(const QString& name) {
@@ -323,12 +374,12 @@ QIcon icon(const QString& name) {
   const QColor line = palette.color(QPalette::Active, QPalette::ButtonText);
   const QColor accent = palette.color(QPalette::Active, QPalette::Highlight);
   const QColor grey = palette.color(QPalette::Disabled, QPalette::ButtonText);
-  QIcon made;
-  for (const int size : {16, 20, 24, 32, 48}) {
-    made.addPixmap(drawn(found->second, size, line, accent), QIcon::Normal);
-    made.addPixmap(drawn(found->second, size, grey, grey), QIcon::Disabled);
+  const QString key = name + line.name() + accent.name() + grey.name();
+  QIcon& kept = keptIcons()[key];
+  if (kept.isNull()) {
+    kept = QIcon(new DrawnIcon(found->second, line, accent, grey));
   }
-  return made;
+  return kept;
 }
 
 QColor statusColour(Status status) {
@@ -353,6 +404,10 @@ QColor statusColour(Status status) {
 QIcon statusIcon(Status status) {
   if (status == Status::None) {
     return {};
+  }
+  QIcon& kept = keptIcons()[QString::number(static_cast<int>(status))];
+  if (!kept.isNull()) {
+    return kept;
   }
   const QColor colour = statusColour(status);
   const Draw draw = [status, colour](QPainter& p, const QColor&, const QColor&) {
@@ -384,11 +439,8 @@ QIcon statusIcon(Status status) {
       p.drawPoint(QPointF(12, 8));
     }
   };
-  QIcon made;
-  for (const int size : {16, 20, 24, 32}) {
-    made.addPixmap(drawn(draw, size, {}, {}));
-  }
-  return made;
+  kept = QIcon(new DrawnIcon(draw, {}, {}, {}));
+  return kept;
 }
 
 QIcon applicationIcon() {
@@ -404,11 +456,7 @@ QIcon applicationIcon() {
       p.drawArc(QRectF(5, 14.5 - 3.6 * i, 14, 5), 180 * 16, 180 * 16);
     }
   };
-  QIcon made;
-  for (const int size : {16, 32, 48, 64, 128, 256}) {
-    made.addPixmap(drawn(draw, size, {}, {}));
-  }
-  return made;
+  return QIcon(new DrawnIcon(draw, {}, {}, {}));
 }
 
 }  // namespace wcam::gui

@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDoubleValidator>
+#include <QFontMetrics>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,7 +25,8 @@ namespace {
 constexpr int kTitle = 24;
 constexpr int kRow = 19;
 constexpr int kBar = 128;
-constexpr int kWidth = 178;
+constexpr int kNarrowest = 84;
+constexpr int kWidest = 178;
 constexpr int kTicks = 5;
 
 QString number(double value, double span) {
@@ -51,11 +53,43 @@ void Legend::setColours(const Coloured& colours) {
   update();
 }
 
-QSize Legend::sizeHint() const {
-  if (isKind(state_.colour())) {
-    return {kWidth, kTitle + 10 + kRow * std::max<int>(static_cast<int>(colours_.kinds.size()), 1)};
+QString Legend::title() const {
+  const QString unit = qt(unitOf(state_.colour()));
+  return nameOf(state_.colour()) + (unit.isEmpty() ? QString() : " (" + unit + ")");
+}
+
+QStringList Legend::rows() const {
+  if (colours_.empty) {
+    return {tr("no values")};
   }
-  return {kWidth, colours_.empty ? kTitle + 10 + kRow : kTitle + kBar + 22};
+  QStringList rows;
+  if (isKind(state_.colour())) {
+    for (const int kind : colours_.kinds) {
+      rows.append(kindName(state_.colour(), kind));
+    }
+    return rows;
+  }
+  const double span = static_cast<double>(colours_.high) - colours_.low;
+  const int ticks = span > 0.0 ? kTicks : 1;
+  for (int i = 0; i < ticks; ++i) {
+    const double value = colours_.low + (ticks > 1 ? span * i / (ticks - 1) : 0.5 * span);
+    rows.append(state_.colour() == Quantity::Layer ? QString::number(std::lround(value) + 1)
+                                                   : number(value, span));
+  }
+  return rows;
+}
+
+QSize Legend::sizeHint() const {
+  QFont bold = font();
+  bold.setBold(true);
+  int width = QFontMetrics(bold).horizontalAdvance(title()) + 22;
+  for (const QString& row : rows()) {
+    width = std::max(width, 38 + fontMetrics().horizontalAdvance(row) + 12);
+  }
+  width = std::clamp(width, kNarrowest, kWidest);
+  const bool scale = !isKind(state_.colour()) && !colours_.empty;
+  return {width, scale ? kTitle + kBar + 22
+                       : kTitle + 10 + kRow * std::max(1, static_cast<int>(rows().size()))};
 }
 
 void Legend::paintEvent(QPaintEvent*) {
@@ -71,13 +105,11 @@ void Legend::paintEvent(QPaintEvent*) {
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);
-  const QString unit = qt(unitOf(state_.colour()));
-  const QString title = nameOf(state_.colour()) + (unit.isEmpty() ? QString() : " (" + unit + ")");
-  painter.drawText(QRectF(10, 3, kWidth - 16, kTitle), Qt::AlignVCenter | Qt::AlignLeft,
-                   painter.fontMetrics().elidedText(title, Qt::ElideRight, kWidth - 18));
+  painter.drawText(QRectF(10, 3, width() - 16, kTitle), Qt::AlignVCenter | Qt::AlignLeft,
+                   painter.fontMetrics().elidedText(title(), Qt::ElideRight, width() - 18));
   painter.setFont(font());
   if (colours_.empty) {
-    painter.drawText(QRectF(10, kTitle, kWidth - 16, kRow), Qt::AlignVCenter, tr("no values"));
+    painter.drawText(QRectF(10, kTitle, width() - 16, kRow), Qt::AlignVCenter, tr("no values"));
     return;
   }
   if (isKind(state_.colour())) {
@@ -97,12 +129,11 @@ void Legend::paintEvent(QPaintEvent*) {
       painter.setBrush(c);
       painter.drawRoundedRect(QRectF(12, y + 3, 16, 12), 2, 2);
       painter.setPen(text);
-      painter.drawText(QRectF(36, y, kWidth - 40, kRow), Qt::AlignVCenter,
+      painter.drawText(QRectF(36, y, width() - 40, kRow), Qt::AlignVCenter,
                        kindName(state_.colour(), kind));
     }
     return;
   }
-  const bool layers = state_.colour() == Quantity::Layer;
   const double span = static_cast<double>(colours_.high) - colours_.low;
   const double top = kTitle + 10;
   for (int y = 0; y < kBar; ++y) {
@@ -110,16 +141,14 @@ void Legend::paintEvent(QPaintEvent*) {
         scaleColour(span > 0.0 ? 1.0 - static_cast<double>(y) / (kBar - 1) : 0.35);
     painter.fillRect(QRectF(12, top + y, 18, 1.2), QColor(rgb[0], rgb[1], rgb[2]));
   }
-  const int ticks = span > 0.0 ? kTicks : 1;
-  for (int i = 0; i < ticks; ++i) {
-    const double t = ticks > 1 ? static_cast<double>(i) / (ticks - 1) : 0.5;
+  const QStringList ticks = rows();
+  for (int i = 0; i < ticks.size(); ++i) {
+    const double t = ticks.size() > 1 ? static_cast<double>(i) / (ticks.size() - 1) : 0.5;
     const double y = top + kBar * (1.0 - t);
-    const double value = colours_.low + t * span;
-    painter.drawText(QRectF(38, y - 9, kWidth - 40, 18), Qt::AlignVCenter,
-                     layers ? QString::number(std::lround(value) + 1) : number(value, span));
+    painter.drawText(QRectF(38, y - 9, width() - 40, 18), Qt::AlignVCenter, ticks[i]);
   }
   if (state_.range()) {
-    painter.drawText(QRectF(38, kTitle - 8, kWidth - 46, 18), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(38, kTitle - 8, width() - 46, 18), Qt::AlignRight | Qt::AlignVCenter,
                      "✎");
   }
 }

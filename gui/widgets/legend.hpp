@@ -20,7 +20,11 @@ public:
   /// Asks for limits; empty texts bring back those of the values.
   void editRange();
 
+  /// As narrow as its texts allow: it stands over the 3D view.
   [[nodiscard]] QSize sizeHint() const override;
+
+  /// Width that the 3D view leaves free for it, whatever it shows, pixels.
+  static constexpr int kReserved = 112;
 
 signals:
   void chooseQuantity();
@@ -31,6 +35,10 @@ protected:
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
+  [[nodiscard]] QString title() const;
+  /// The texts below the title.
+  [[nodiscard]] QStringList rows() const;
+
   ViewState& state_;
   Coloured colours_;
 };

@@ -14,7 +14,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QRegularExpression>
+#include <QListWidget>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -30,6 +30,11 @@ namespace wcam::gui {
 
 namespace {
 
+/// Rows whose widgets are made in one turn of the event loop.
+constexpr std::size_t kRowsAtOnce = 8;
+/// Lines of a list of objects; a longer one is scrolled.
+constexpr int kMostListLines = 6;
+
 /// A choice that the wheel does not change while the form is scrolled.
 class CalmComboBox : public QComboBox {
 public:
@@ -40,7 +45,11 @@ protected:
 };
 
 QString numberText(double value) {
-  return qt(formatReal(value)).remove(QRegularExpression("\\.0$"));
+  QString text = qt(formatReal(value));
+  if (text.endsWith(".0")) {
+    text.chop(2);
+  }
+  return text;
 }
 
 QString valueText(const Value& value) {
@@ -66,6 +75,16 @@ QString valueText(const Value& value) {
   return {};
 }
 
+/// The ids of a text like "a, b".
+QStringList idsOf(const Value& value) {
+  QStringList ids;
+  const QString text = value.isString() ? qt(value.asString()) : QString();
+  for (const QString& id : text.split(',', Qt::SkipEmptyParts)) {
+    ids.append(id.trimmed());
+  }
+  return ids;
+}
+
 QString limitsText(const ParamDef& def) {
   const bool low = std::isfinite(def.info.min);
   const bool high = std::isfinite(def.info.max);
@@ -83,17 +102,20 @@ QString limitsText(const ParamDef& def) {
   return {};
 }
 
-QString tipOf(const ParamDef& def) {
+QString tipOf(const ParamDef& def, bool isIndex) {
   QString tip = "<b>" + engineText(def.info.label).toHtmlEscaped() + "</b>";
   if (!def.info.help.empty()) {
     tip += "<br/>" + engineText(def.info.help).toHtmlEscaped();
   }
   const QString unit = qt(fileUnit(def.quantity));
-  const QString limits = limitsText(def);
+  const QString limits = isIndex ? QString() : limitsText(def);
   if (!limits.isEmpty()) {
     tip += "<br/>" + limits.toHtmlEscaped() + (unit.isEmpty() ? QString() : " " + unit);
   }
-  tip += "<br/>" + ParamForm::tr("Default: %1").arg(valueText(def.defaultValue).toHtmlEscaped()) +
+  const bool counts = isIndex && def.defaultValue.isInteger() && def.defaultValue.asInteger() >= 0;
+  const QString standard =
+      counts ? QString::number(def.defaultValue.asInteger() + 1) : valueText(def.defaultValue);
+  tip += "<br/>" + ParamForm::tr("Default: %1").arg(standard.toHtmlEscaped()) +
          (unit.isEmpty() ? QString() : " " + unit);
   tip += "<br/><code>" + qt(def.info.key).toHtmlEscaped() + "</code>";
   return tip;
@@ -131,6 +153,8 @@ ParamForm::ParamForm(QWidget* parent) : QWidget(parent) {
   layout->addWidget(title_);
   layout->addLayout(top);
   layout->addWidget(scroll_, 1);
+  building_.setSingleShot(true);
+  connect(&building_, &QTimer::timeout, this, [this] { buildSome(kRowsAtOnce); });
   connect(search_, &QLineEdit::textChanged, this, &ParamForm::filter);
   connect(level_, &QComboBox::currentIndexChanged, this, [this](int index) {
     QSettings().setValue("form/level", index);
@@ -150,14 +174,22 @@ void ParamForm::setSections(const std::string& identity,
   const auto sameKeys = [](const FormSection& a, const FormSection& b) {
     const auto& x = a.schema.defs();
     const auto& y = b.schema.defs();
-    return a.id == b.id && a.readOnly == b.readOnly && x.size() == y.size() &&
-           std::equal(x.begin(), x.end(), y.begin(), [](const ParamDef& p, const ParamDef& q) {
+    const auto sameChoices = [](const std::vector<ParamChoice>& c,
+                                const std::vector<ParamChoice>& d) {
+      return std::equal(c.begin(), c.end(), d.begin(), d.end(),
+                        [](const ParamChoice& p, const ParamChoice& q) {
+                          return p.key == q.key && p.label == q.label;
+                        });
+    };
+    return a.id == b.id && a.readOnly == b.readOnly && a.indices == b.indices &&
+           std::equal(a.lists.begin(), a.lists.end(), b.lists.begin(), b.lists.end(),
+                      [&](const auto& p, const auto& q) {
+                        return p.first == q.first && sameChoices(p.second, q.second);
+                      }) &&
+           x.size() == y.size() &&
+           std::equal(x.begin(), x.end(), y.begin(), [&](const ParamDef& p, const ParamDef& q) {
              return p.info.key == q.info.key && p.type == q.type && p.info.label == q.info.label &&
-                    std::equal(p.info.choices.begin(), p.info.choices.end(), q.info.choices.begin(),
-                               q.info.choices.end(),
-                               [](const ParamChoice& c, const ParamChoice& d) {
-                                 return c.key == d.key && c.label == d.label;
-                               });
+                    sameChoices(p.info.choices, q.info.choices);
            });
   };
   const bool same = identity == identity_ && sections.size() == sections_.size() &&
@@ -167,11 +199,44 @@ void ParamForm::setSections(const std::string& identity,
   if (!same || body_ == nullptr) {
     rebuild();
   }
-  showValues();
+  takeValues();
   filter();
+  if (!complete_) {
+    building_.start(0);
+  }
+}
+
+void ParamForm::buildSome(std::size_t most) {
+  std::size_t made = 0;
+  for (Row& row : rows_) {
+    if (row.shown && row.field == nullptr) {
+      if (made == most) {
+        building_.start(0);
+        return;
+      }
+      fill(row);
+      ++made;
+    }
+  }
+  if (made > 0 && most < rows_.size()) {
+    building_.start(0);  // laying them out takes a turn of its own
+    return;
+  }
+  complete_ = true;
+  filter();
+  scroll_->setWidget(body_);
+}
+
+void ParamForm::buildRest() {
+  if (!complete_) {
+    building_.stop();
+    buildSome(rows_.size());
+  }
 }
 
 void ParamForm::rebuild() {
+  ++builds_;
+  complete_ = false;
   rows_.clear();
   groups_.clear();
   // The field that was edited may be one of the old ones, and is still in its signal.
@@ -225,32 +290,47 @@ void ParamForm::rebuild() {
     }
   }
   layout->addStretch(1);
-  scroll_->setWidget(body_);
 }
 
 void ParamForm::addRow(const FormSection& section,
                        const ParamDef& def,
-                       QWidget* group,
+                       QToolButton* group,
                        QVBoxLayout* layout) {
   Row row;
   row.section = section.id;
   row.def = def;
   row.readOnly = section.readOnly;
+  if (const auto list = section.lists.find(def.info.key); list != section.lists.end()) {
+    row.isList = true;
+    row.items = list->second;
+  }
+  row.isIndex = section.indices.count(def.info.key) != 0;
   row.group = group;
   row.box = new QWidget(body_);
+  row.box->hide();
+  layout->addWidget(row.box);
+  rows_.push_back(std::move(row));
+}
+
+void ParamForm::fill(Row& row) {
+  if (row.field != nullptr) {
+    return;
+  }
+  const ParamDef& def = row.def;
+  const QString tip = tipOf(def, row.isIndex);
+  const QString label = engineText(def.info.label);
   auto* lines = new QVBoxLayout(row.box);
   lines->setContentsMargins(10, 0, 0, 0);
   lines->setSpacing(1);
   auto* line = new QHBoxLayout;
   line->setSpacing(4);
-  row.label = new QLabel(engineText(def.info.label), row.box);
-  row.label->setToolTip(tipOf(def));
+  row.label = new QLabel(label, row.box);
+  row.label->setToolTip(tip);
   row.label->setWordWrap(true);
   row.field = makeField(row);
-  row.field->setObjectName(QString("%1.%2").arg(qt(section.id), qt(def.info.key)));
-  row.field->setToolTip(tipOf(def));
-  row.field->setAccessibleName(engineText(def.info.label));
-  row.field->setEnabled(!section.readOnly);
+  row.field->setObjectName(QString("%1.%2").arg(qt(row.section), qt(def.info.key)));
+  row.field->setToolTip(tip);
+  row.field->setAccessibleName(label);
   row.label->setBuddy(row.field);
   line->addWidget(row.label, 4);
   line->addWidget(row.field, 5);
@@ -262,7 +342,7 @@ void ParamForm::addRow(const FormSection& section,
   row.reset->setIcon(icon("reset"));
   row.reset->setAutoRaise(true);
   row.reset->setToolTip(tr("Back to the default"));
-  row.reset->setAccessibleName(tr("Reset %1").arg(engineText(def.info.label)));
+  row.reset->setAccessibleName(tr("Reset %1").arg(label));
   row.reset->setFixedSize(22, 22);
   QSizePolicy keep = row.reset->sizePolicy();
   keep.setRetainSizeWhenHidden(true);
@@ -274,19 +354,72 @@ void ParamForm::addRow(const FormSection& section,
   row.error->setWordWrap(true);
   row.error->hide();
   lines->addWidget(row.error);
-  layout->addWidget(row.box);
-  connect(row.reset, &QToolButton::clicked, this, [this, id = section.id, key = def.info.key] {
+  connect(row.reset, &QToolButton::clicked, this, [this, id = row.section, key = def.info.key] {
     if (Row* r = find(id, key)) {
       r->error->hide();
     }
     emit edited(id, key, Value());
   });
-  rows_.push_back(std::move(row));
+  showValue(row, true);
+}
+
+QString ParamForm::textOf(const Row& row) {
+  const bool counts = row.isIndex && row.value.isInteger() && row.value.asInteger() >= 0;
+  return counts ? QString::number(row.value.asInteger() + 1) : valueText(row.value);
+}
+
+QWidget* ParamForm::makeList(Row& row) {
+  auto* list = new QListWidget(row.box);
+  list->setSelectionMode(QAbstractItemView::SingleSelection);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list->setTextElideMode(Qt::ElideMiddle);
+  list->setWordWrap(false);
+  const auto add = [list](const std::string& id, const QString& label) {
+    auto* item = new QListWidgetItem(label, list);
+    item->setData(Qt::UserRole, qt(id));
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(Qt::Unchecked);
+  };
+  for (const ParamChoice& choice : row.items) {
+    add(choice.key, qt(choice.label.empty() ? choice.key : choice.label));
+  }
+  // What is listed but not there can be unchecked.
+  for (const QString& id : idsOf(row.value)) {
+    const bool known = std::any_of(row.items.begin(), row.items.end(),
+                                   [&](const ParamChoice& choice) { return qt(choice.key) == id; });
+    if (!known) {
+      add(utf8(id), tr("%1 (missing)").arg(id));
+    }
+  }
+  const int lines = std::clamp(list->count(), 1, kMostListLines);
+  list->setFixedHeight(lines * std::max(list->sizeHintForRow(0), 18) + 2 * list->frameWidth() + 2);
+  connect(list, &QListWidget::itemChanged, this,
+          [this, section = row.section, key = row.def.info.key, list] {
+            const Row* own = find(section, key);
+            if (own == nullptr) {
+              return;
+            }
+            // The order of the file stays; what is new comes last.
+            QStringList ids = idsOf(own->value);
+            for (int i = 0; i < list->count(); ++i) {
+              const QString id = list->item(i)->data(Qt::UserRole).toString();
+              if (list->item(i)->checkState() != Qt::Checked) {
+                ids.removeAll(id);
+              } else if (!ids.contains(id)) {
+                ids.append(id);
+              }
+            }
+            emit edited(std::string(section), std::string(key), Value(utf8(ids.join(", "))));
+          });
+  return list;
 }
 
 QWidget* ParamForm::makeField(Row& row) {
   const std::string section = row.section;
   const std::string key = row.def.info.key;
+  if (row.isList) {
+    return makeList(row);
+  }
   switch (row.def.type) {
     case ParamType::Bool: {
       auto* box = new QCheckBox(row.box);
@@ -335,8 +468,8 @@ void ParamForm::commitText(const std::string& section,
                            const std::string& key,
                            const QString& text) {
   Row* row = find(section, key);
-  if (row == nullptr || row->readOnly || text == valueText(row->shown)) {
-    if (row != nullptr && text == valueText(row->shown)) {
+  if (row == nullptr || row->readOnly || text == textOf(*row)) {
+    if (row != nullptr && text == textOf(*row)) {
       row->error->hide();
     }
     return;
@@ -344,7 +477,14 @@ void ParamForm::commitText(const std::string& section,
   const auto found = std::find_if(sections_.begin(), sections_.end(),
                                   [&](const FormSection& s) { return s.id == section; });
   try {
-    const Value value = found->schema.parse(key, utf8(text.trimmed()));
+    Value value = found->schema.parse(key, utf8(text.trimmed()));
+    if (row->isIndex && value.isInteger() && value.asInteger() >= 0) {
+      if (value.asInteger() == 0) {
+        showError(section, key, tr("Counted from 1"));
+        return;
+      }
+      value = Value(value.asInteger() - 1);
+    }
     Value object = Value::object();
     object.set(key, value);
     const std::vector<ParamProblem> problems = found->schema.validate(object);
@@ -369,12 +509,12 @@ void ParamForm::showError(const std::string& section,
   }
 }
 
-QString ParamForm::errorAt(const std::string& section, const std::string& key) const {
+QString ParamForm::errorAt(const std::string& section, const std::string& key) {
   const Row* row = find(section, key);
   return row != nullptr && !row->error->isHidden() ? row->error->text() : QString();
 }
 
-void ParamForm::showValues() {
+void ParamForm::takeValues() {
   for (const FormSection& section : sections_) {
     Value completed;
     try {
@@ -399,86 +539,104 @@ void ParamForm::showValues() {
         enabled = true;
       }
       const Value* own = section.values.find(row.def.info.key);
-      showValue(row, own != nullptr && !own->isNull() ? *own : completed.at(row.def.info.key),
-                own != nullptr && !own->isNull(), enabled && !section.readOnly);
+      row.isSet = own != nullptr && !own->isNull();
+      row.enabled = enabled && !section.readOnly;
+      const Value& value = row.isSet ? *own : completed.at(row.def.info.key);
+      const bool changed = !(row.value == value);
+      row.value = value;
       const auto problem =
           std::find_if(problems.begin(), problems.end(),
                        [&](const ParamProblem& p) { return p.path == row.def.info.key; });
-      if (problem != problems.end()) {
-        row.error->setText(engineText(problem->message));
-        row.error->show();
-      } else if (row.field->property("stale").toBool() || !row.field->hasFocus()) {
-        row.error->hide();
+      row.problem = problem != problems.end() ? engineText(problem->message) : QString();
+      if (row.field != nullptr) {
+        showValue(row, changed);
       }
     }
   }
 }
 
-void ParamForm::showValue(Row& row, const Value& value, bool isSet, bool enabled) {
-  const bool changed = !(row.shown == value);
-  row.shown = value;
+void ParamForm::showValue(Row& row, bool changed) {
   const QSignalBlocker block(row.field);
   if (auto* box = qobject_cast<QCheckBox*>(row.field)) {
-    box->setChecked(value.isBool() && value.asBool());
+    box->setChecked(row.value.isBool() && row.value.asBool());
   } else if (auto* combo = qobject_cast<QComboBox*>(row.field)) {
-    const QString key = value.isString() ? qt(value.asString()) : QString();
+    const QString key = row.value.isString() ? qt(row.value.asString()) : QString();
     int index = combo->findData(key);
     if (index < 0 && !key.isEmpty()) {
       combo->addItem(key, key);
       index = combo->count() - 1;
     }
     combo->setCurrentIndex(index);
+  } else if (auto* list = qobject_cast<QListWidget*>(row.field)) {
+    const QStringList ids = idsOf(row.value);
+    for (int i = 0; i < list->count(); ++i) {
+      const bool on = ids.contains(list->item(i)->data(Qt::UserRole).toString());
+      list->item(i)->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    }
   } else if (auto* line = qobject_cast<QLineEdit*>(row.field)) {
     if (changed || !line->hasFocus()) {
-      line->setText(valueText(value));
+      line->setText(textOf(row));
       line->setCursorPosition(0);
     }
   }
   QFont font = row.label->font();
-  font.setBold(isSet);
+  font.setBold(row.isSet);
   row.label->setFont(font);
-  row.reset->setVisible(isSet && enabled);
-  row.field->setEnabled(enabled);
-  row.label->setEnabled(enabled);
+  row.reset->setVisible(row.isSet && row.enabled);
+  row.field->setEnabled(row.enabled);
+  row.label->setEnabled(row.enabled);
+  if (!row.problem.isEmpty()) {
+    row.error->setText(row.problem);
+    row.error->show();
+  } else if (!row.field->hasFocus()) {
+    row.error->hide();
+  }
 }
 
 void ParamForm::filter() {
   const QString wanted = search_->text().trimmed();
   for (const auto& [group, indices] : groups_) {
     bool any = false;
-    bool open = true;
     for (const std::size_t i : indices) {
       Row& row = rows_[i];
-      const auto* head = qobject_cast<QToolButton*>(row.group);
-      open = head == nullptr || head->isChecked();
-      const QString all = engineText(row.def.info.label) + " " + engineText(row.def.info.help) +
-                          " " + qt(row.def.info.key) + " " + engineText(row.def.info.group);
       // A search looks into all levels; what is set is always shown.
-      const bool shown = wanted.isEmpty()
-                             ? static_cast<int>(row.def.info.level) <= level_->currentIndex() ||
-                                   !row.reset->isHidden()
-                             : all.contains(wanted, Qt::CaseInsensitive);
-      row.box->setVisible(shown && (open || !wanted.isEmpty()));
-      any = any || shown;
+      const bool fits =
+          wanted.isEmpty()
+              ? static_cast<int>(row.def.info.level) <= level_->currentIndex() ||
+                    (row.isSet && row.enabled)
+              : QString(engineText(row.def.info.label) + " " + engineText(row.def.info.help) + " " +
+                        qt(row.def.info.key) + " " + engineText(row.def.info.group))
+                    .contains(wanted, Qt::CaseInsensitive);
+      row.shown = fits && (row.group->isChecked() || !wanted.isEmpty());
+      if (complete_) {
+        if (row.shown) {
+          fill(row);
+        }
+        row.box->setVisible(row.shown);
+      }
+      any = any || fits;
     }
     group->setVisible(any);
   }
 }
 
+std::size_t ParamForm::filledRows() const {
+  return static_cast<std::size_t>(std::count_if(
+      rows_.begin(), rows_.end(), [](const Row& row) { return row.field != nullptr; }));
+}
+
 ParamForm::Row* ParamForm::find(const std::string& section, const std::string& key) {
+  buildRest();
   for (Row& row : rows_) {
     if (row.section == section && row.def.info.key == key) {
+      fill(row);
       return &row;
     }
   }
   return nullptr;
 }
 
-const ParamForm::Row* ParamForm::find(const std::string& section, const std::string& key) const {
-  return const_cast<ParamForm*>(this)->find(section, key);
-}
-
-QWidget* ParamForm::field(const std::string& section, const std::string& key) const {
+QWidget* ParamForm::field(const std::string& section, const std::string& key) {
   const Row* row = find(section, key);
   return row != nullptr ? row->field : nullptr;
 }

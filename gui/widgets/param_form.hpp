@@ -4,9 +4,11 @@
 
 #include "wcam/base/param.hpp"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,10 +28,16 @@ struct FormSection {
   ParamSchema schema;
   Value values;  ///< sparse object
   bool readOnly = false;
+  /// Parameters whose text is a list of ids: what there is to choose from. Its label is shown, its
+  /// key is stored.
+  std::map<std::string, std::vector<ParamChoice>> lists = {};
+  /// Indices that files count from 0 and people from 1; negative ones are the same in both.
+  std::set<std::string> indices = {};
 };
 
 /// A form made from schemas: search, groups, levels, units, limits, errors at their fields, reset
-/// to the default. Knows nothing of documents: it tells what was edited.
+/// to the default. Knows nothing of documents: it tells what was edited. Its widgets are made in
+/// several turns of the event loop; who asks for one of them gets all at once.
 class ParamForm : public QWidget {
   Q_OBJECT
 
@@ -43,9 +51,15 @@ public:
   void clear();
 
   /// Field of a parameter, for tests; null when it is not there.
-  [[nodiscard]] QWidget* field(const std::string& section, const std::string& key) const;
+  [[nodiscard]] QWidget* field(const std::string& section, const std::string& key);
   /// The error that stands at a field; empty when there is none.
-  [[nodiscard]] QString errorAt(const std::string& section, const std::string& key) const;
+  [[nodiscard]] QString errorAt(const std::string& section, const std::string& key);
+  /// Number of parameters whose widgets are made: those that were shown since the form was built.
+  [[nodiscard]] std::size_t filledRows() const;
+
+  /// How often the form was built anew: not for other values of the same parameters.
+  [[nodiscard]] int builds() const { return builds_; }
+
   /// Shows an error of the command at the field that was edited last.
   void showError(const std::string& section, const std::string& key, const QString& error);
   void focusSearch();
@@ -57,6 +71,7 @@ signals:
   void edited(const std::string& section, const std::string& key, const wcam::Value& value);
 
 private:
+  /// Widgets cost far more than values: those of a row are made when it is shown first.
   struct Row {
     std::string section;
     ParamDef def;
@@ -65,20 +80,36 @@ private:
     QWidget* field = nullptr;
     QLabel* error = nullptr;
     QToolButton* reset = nullptr;
-    QWidget* group = nullptr;
-    Value shown;
+    QToolButton* group = nullptr;
+    Value value;
+    QString problem;                 ///< with the value of the document
+    std::vector<ParamChoice> items;  ///< to choose from
+    bool isList = false;
+    bool isIndex = false;
+    bool shown = false;
+    bool isSet = false;
+    bool enabled = true;
     bool readOnly = false;
   };
 
   void rebuild();
-  void addRow(const FormSection& section, const ParamDef& def, QWidget* group, QVBoxLayout* layout);
+  void addRow(const FormSection& section,
+              const ParamDef& def,
+              QToolButton* group,
+              QVBoxLayout* layout);
+  void fill(Row& row);
+  /// Makes the next widgets; the last time shows them all.
+  void buildSome(std::size_t most);
+  void buildRest();
   QWidget* makeField(Row& row);
-  void showValues();
-  void showValue(Row& row, const Value& value, bool isSet, bool enabled);
+  QWidget* makeList(Row& row);
+  [[nodiscard]] static QString textOf(const Row& row);
+  void takeValues();
+  void showValue(Row& row, bool changed);
   void filter();
   void commitText(const std::string& section, const std::string& key, const QString& text);
+  /// A row with its widgets; null when there is no such parameter.
   [[nodiscard]] Row* find(const std::string& section, const std::string& key);
-  [[nodiscard]] const Row* find(const std::string& section, const std::string& key) const;
 
   std::string identity_;
   std::vector<FormSection> sections_;
@@ -90,6 +121,9 @@ private:
   QComboBox* level_;
   QScrollArea* scroll_;
   QWidget* body_ = nullptr;
+  QTimer building_;
+  bool complete_ = false;  ///< the widgets of all rows to be shown are made
+  int builds_ = 0;
 };
 
 }  // namespace wcam::gui

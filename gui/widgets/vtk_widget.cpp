@@ -3,6 +3,7 @@
 
 #include "vtk_widget.hpp"
 
+#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -20,6 +21,12 @@ namespace {
 constexpr double kClickReach = 4.0;
 constexpr int kHoverMs = 120;
 constexpr int kStillMs = 250;
+// What was drawn in less is shown in the same turn of the event loop, ms.
+constexpr int kQuickMs = 15;
+constexpr int kComposeMs = 4;
+// Results change other widgets as well: those are painted first, in a turn of their own, ms.
+constexpr int kAfterMs = 5;
+constexpr int kPortionMs = 1;
 constexpr double kKeyTurn = 30.0;  // pixels of the mouse that an arrow key stands for
 
 }  // namespace
@@ -47,10 +54,12 @@ VtkWidget::VtkWidget(QWidget* parent)
           [this] { emit hovered(pickAt(last_), mapToGlobal(last_.toPoint())); });
   still_.setSingleShot(true);
   still_.setInterval(kStillMs);
-  connect(&still_, &QTimer::timeout, this, [this] {
-    view_->setMoving(false);
-    update();
-  });
+  compose_.setSingleShot(true);
+  compose_.setInterval(kComposeMs);
+  connect(&compose_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+  draw_.setSingleShot(true);
+  connect(&draw_, &QTimer::timeout, this, &VtkWidget::draw);
+  connect(&still_, &QTimer::timeout, this, [this] { request(false); });
 }
 
 VtkWidget::~VtkWidget() {
@@ -61,6 +70,7 @@ VtkWidget::~VtkWidget() {
 void VtkWidget::release() {
   if (view_->ready()) {
     makeCurrent();
+    shown_.reset();
     view_->releaseGl();
     doneCurrent();
   }
@@ -76,20 +86,88 @@ void VtkWidget::initializeGL() {
       connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
 }
 
-void VtkWidget::resizeGL(int width, int height) {
-  const double ratio = devicePixelRatioF();
-  view_->resize(static_cast<int>(std::lround(width * ratio)),
-                static_cast<int>(std::lround(height * ratio)));
+QSize VtkWidget::pixels() const {
+  return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
+}
+
+void VtkWidget::resizeGL(int /*width*/, int /*height*/) {
+  view_->resize(pixels().width(), pixels().height());
+  changed_ = true;
+}
+
+void VtkWidget::request(bool moving) {
+  changed_ = true;
+  moving_ = moving_ || moving || portions_ || still_.isActive();
+  draw_.start(moving_ ? 0 : kAfterMs);
+}
+
+void VtkWidget::keep() {
+  makeCurrent();
+  if (!shown_ || shown_->size() != pixels()) {
+    shown_ = std::make_unique<QOpenGLFramebufferObject>(pixels());
+  }
+  QOpenGLExtraFunctions* gl = context()->extraFunctions();
+  gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, view_->framebuffer());
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shown_->handle());
+  gl->glDisable(GL_SCISSOR_TEST);
+  gl->glBlitFramebuffer(0, 0, pixels().width(), pixels().height(), 0, 0, pixels().width(),
+                        pixels().height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+bool VtkWidget::drawWhole() {
+  using viewport::Scene;
+  const bool none = !shown_ || shown_->size() != pixels();
+  const bool fits = view_->fitsOneFrame();
+  if (!fits && !moving_ && !none) {
+    return false;
+  }
+  changed_ = moving_ = portions_ = false;
+  still_.stop();
+  view_->render(fits ? Scene::Detail::Fine : Scene::Detail::Coarse);
+  keep();
+  if (!fits) {
+    still_.start();
+  }
+  return true;
+}
+
+void VtkWidget::draw() {
+  if (!view_->ready() || !isVisible()) {
+    return;  // it is drawn when it is painted
+  }
+  QElapsedTimer clock;
+  clock.start();
+  makeCurrent();
+  bool complete = true;
+  if (!changed_ || !drawWhole()) {
+    complete = view_->renderPortion(changed_);
+    changed_ = moving_ = false;
+    portions_ = !complete;
+    if (complete) {
+      keep();
+    }
+  }
+  doneCurrent();
+  if (complete && clock.elapsed() < kQuickMs) {
+    update();
+  } else if (complete) {
+    compose_.start();
+  } else {
+    draw_.start(kPortionMs);
+  }
 }
 
 void VtkWidget::paintGL() {
-  const unsigned from = view_->render();
+  if (!shown_ || shown_->size() != pixels()) {
+    drawWhole();
+  } else if (changed_) {
+    draw_.start(0);  // it changed while it was hidden
+  }
   makeCurrent();
   QOpenGLExtraFunctions* gl = context()->extraFunctions();
-  const double ratio = devicePixelRatioF();
-  const int w = static_cast<int>(std::lround(width() * ratio));
-  const int h = static_cast<int>(std::lround(height() * ratio));
-  gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+  const int w = pixels().width();
+  const int h = pixels().height();
+  gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, shown_->handle());
   gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   gl->glDisable(GL_SCISSOR_TEST);
   gl->glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -99,11 +177,19 @@ void VtkWidget::paintGL() {
   gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  view_->endFrame();
   emit painted();
 }
 
 QImage VtkWidget::picture() {
+  if (view_->ready()) {
+    makeCurrent();
+    draw_.stop();
+    still_.stop();
+    view_->render(viewport::Scene::Detail::Fine);
+    keep();
+    changed_ = moving_ = portions_ = false;
+    doneCurrent();
+  }
   return grabFramebuffer();
 }
 
@@ -131,7 +217,6 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   dragged_ = true;
-  view_->setMoving(true);
   const bool pan = (event->buttons() & (Qt::MiddleButton | Qt::RightButton)) != 0 ||
                    (event->modifiers() & Qt::ShiftModifier) != 0;
   const double ratio = devicePixelRatioF();
@@ -140,14 +225,11 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
   } else {
     view_->orbit(move.x(), move.y());
   }
-  still_.start();
-  update();
+  request(true);
 }
 
 void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (dragged_) {
-    view_->setMoving(false);
-    update();
     return;
   }
   if (event->button() == Qt::LeftButton) {
@@ -159,11 +241,9 @@ void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {
   const double ratio = devicePixelRatioF();
-  view_->setMoving(true);
   view_->zoom(std::pow(1.0015, event->angleDelta().y()), event->position().x() * ratio,
               event->position().y() * ratio);
-  still_.start();
-  update();
+  request(true);
 }
 
 void VtkWidget::keyPressEvent(QKeyEvent* event) {
@@ -195,7 +275,7 @@ void VtkWidget::keyPressEvent(QKeyEvent* event) {
       QOpenGLWidget::keyPressEvent(event);
       return;
   }
-  update();
+  request(true);
 }
 
 void VtkWidget::leaveEvent(QEvent* event) {

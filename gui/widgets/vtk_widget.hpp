@@ -4,6 +4,7 @@
 
 #include "viewport/view.hpp"
 
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 #include <QPoint>
 #include <QTimer>
@@ -25,13 +26,15 @@ public:
 
   [[nodiscard]] viewport::Scene& scene() { return view_->scene(); }
 
-  /// Draws soon; many calls make one picture.
-  void redraw() { update(); }
+  /// Draws soon; many calls make one picture. A scene that takes long is drawn in portions between
+  /// events, while the picture before stays; when it changes again meanwhile, a coarse picture is
+  /// shown until it rests.
+  void redraw() { request(false); }
 
   /// What clicks and hovering look for.
   void setWanted(viewport::View::Wanted wanted) { wanted_ = wanted; }
 
-  /// The present picture. Needs a shown window.
+  /// The present picture in full detail. Needs a shown window.
   [[nodiscard]] QImage picture();
 
   /// Surface format that QApplication needs before it starts.
@@ -58,6 +61,16 @@ protected:
 
 private:
   void release();
+  /// @param moving more pictures will follow at once
+  void request(bool moving);
+  /// Draws the scene or a portion of it. A timer calls this, so that never one event has to draw
+  /// the scene and the window as well.
+  void draw();
+  /// Draws what fits into one frame. @return false when the picture has to come in portions
+  bool drawWhole();
+  /// Keeps what was drawn, for this widget to be painted with.
+  void keep();
+  [[nodiscard]] QSize pixels() const;
   [[nodiscard]] viewport::Pick pickAt(const QPointF& at) const;
 
   std::unique_ptr<viewport::View> view_;
@@ -66,7 +79,13 @@ private:
   QPointF pressed_;
   bool dragged_ = false;
   QTimer hover_;
-  QTimer still_;
+  QTimer still_;  ///< until a coarse picture becomes a fine one
+  QTimer draw_;
+  QTimer compose_;  ///< shows what was drawn, in a turn of the event loop of its own
+  std::unique_ptr<QOpenGLFramebufferObject> shown_;
+  bool changed_ = true;  ///< the picture is not that of the scene
+  bool moving_ = false;
+  bool portions_ = false;  ///< a picture is being drawn in portions
   QMetaObject::Connection contextGone_;
 };
 

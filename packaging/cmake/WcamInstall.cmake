@@ -24,7 +24,10 @@ if(TARGET camcli)
     DEPENDS camcli)
   add_custom_target(wcam_completion ALL DEPENDS "${completion}/camcli" "${completion}/_camcli")
   install(FILES "${completion}/camcli" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT cli)
-  install(FILES "${completion}/_camcli" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" COMPONENT cli)
+  # Debian's zsh looks for those of packages in the first folder, for those of /usr/local in the second.
+  foreach(functions vendor-completions site-functions)
+    install(FILES "${completion}/_camcli" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/${functions}" COMPONENT cli)
+  endforeach()
 endif()
 
 if(TARGET wcam)

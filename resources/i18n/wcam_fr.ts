@@ -128,10 +128,6 @@
         <translation>Pièces</translation>
     </message>
     <message>
-        <source>ids of the parts to build, with commas</source>
-        <translation>identifiants des pièces à construire, séparés par des virgules</translation>
-    </message>
-    <message>
         <source>Substrate</source>
         <translation>Substrat</translation>
     </message>
@@ -158,10 +154,6 @@
     <message>
         <source>Operations</source>
         <translation>Opérations</translation>
-    </message>
-    <message>
-        <source>ids of operations, with commas; none: all</source>
-        <translation>identifiants d’opérations, séparés par des virgules ; aucun : toutes</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -226,6 +218,22 @@
     <message>
         <source>an edit that is not enabled is left out</source>
         <translation>une retouche désactivée est ignorée</translation>
+    </message>
+    <message>
+        <source>the parts to build</source>
+        <translation>les pièces à construire</translation>
+    </message>
+    <message>
+        <source>the operations to write; none is checked: all</source>
+        <translation>les opérations à écrire ; aucune n’est cochée : toutes</translation>
+    </message>
+    <message>
+        <source>Counted from 1 in each layer; -1 is all beads.</source>
+        <translation>Compté à partir de 1 dans chaque couche ; -1 désigne tous les cordons.</translation>
+    </message>
+    <message>
+        <source>Counted from 1, as in the view; -1 is the top layer, -2 the one below it. Belongs to the range.</source>
+        <translation>Compté à partir de 1, comme dans la vue ; -1 est la couche du haut, -2 celle au-dessous. Fait partie de la plage.</translation>
     </message>
 </context>
 <context>
@@ -7646,6 +7654,14 @@
         <source>writing the STEP file</source>
         <translation>écriture du fichier STEP</translation>
     </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -9179,6 +9195,14 @@
     <message>
         <source>Choose a file</source>
         <translation>Choisir un fichier</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (absent)</translation>
+    </message>
+    <message>
+        <source>Counted from 1</source>
+        <translation>Compté à partir de 1</translation>
     </message>
 </context>
 <context>

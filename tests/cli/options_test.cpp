@@ -106,6 +106,30 @@ TEST_F(Options, TableOnlyWhenAskedFor) {
   EXPECT_FALSE(fs::exists(folder_ / "plain/planar.csv"));
 }
 
+TEST_F(Options, ReportForPeopleListsTheEdits) {
+  const std::string project = example("elbow");
+  const auto edit = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"edit", "add", project, "planar"});
+    EXPECT_EQ(camcli(arguments).exitCode, 0);
+  };
+  edit({"pause", "--set", "time=30", "--set", "first_layer=3", "--set", "last_layer=-1"});
+  edit({"set_speed", "--id", "slow", "--set", "region=sphere", "--set", "centre=1, 0, 2",
+        "--disable"});
+  ASSERT_EQ(camcli({"--project", project, "--output", "out", "--report", "edits.html"}).exitCode,
+            0);
+  const std::string page = readFile(folder_ / "edits.html");
+  // Layers count from 1, as in the findings.
+  EXPECT_THAT(page, HasSubstr("<tr><td>pause</td><td>Pause</td><td>First layer: 4<br>Last layer: "
+                              "-1<br>Time: 30 s</td><td></td></tr>"));
+  EXPECT_THAT(page, HasSubstr("<tr><td>slow</td><td>Change the travel speed</td><td>"
+                              "Region: Inside a sphere<br>Centre: 1, 0, 2 mm</td>"
+                              "<td>left out</td></tr>"));
+  const std::size_t first = page.find("<h3>Edits of the toolpath</h3>");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(page.find("<h3>Edits of the toolpath</h3>", first + 1), std::string::npos)
+      << "an operation without edits has no table";
+}
+
 TEST_F(Options, ReportForPeopleIsOnePage) {
   const ProcessResult result =
       camcli({"--project", elbow_, "--output", "out", "--report", "pages/elbow.html"});

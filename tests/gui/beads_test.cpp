@@ -4,6 +4,7 @@
 #include "viewport/beads.hpp"
 
 #include "sample_path.hpp"
+#include "viewport/frame_budget.hpp"
 #include "viewport/scene.hpp"
 #include <gtest/gtest.h>
 
@@ -95,6 +96,86 @@ TEST(Scene, ManyMovesAreDrawnAsLines) {
   const auto path = samplePath(60, 4000);
   scene.setPath(path->prepared());
   EXPECT_TRUE(scene.drawsLines());
+  // While it is scrubbed a part of the points stands for all, ends of beads among them.
+  EXPECT_LT(scene.triangles(Scene::Detail::Coarse), 0.3 * scene.triangles(Scene::Detail::Fine));
+  const PathData& data = *path->data();
+  const ChunkRange chunk = chunksOf(data).front();
+  const BeadLines few = beadLines(data, chunk, false, 4);
+  ASSERT_EQ(few.linesUpTo.size(), chunk.end - chunk.begin);
+  EXPECT_EQ(few.linesUpTo.back() + 1, few.offsets.size());
+  EXPECT_EQ(few.moveOfVertex.front(), 1U);
+  EXPECT_EQ(few.moveOfVertex.back(), chunk.end - 1);
+}
+
+TEST(Scene, NoPortionOfAPictureHasMoreThanAFrameHolds) {
+  Scene scene;
+  const auto path = samplePath(40, 800);
+  scene.setPath(path->prepared());
+  MeshData mesh;  // a sheet of 80 000 triangles
+  constexpr std::uint32_t kSide = 200;
+  for (std::uint32_t i = 0; i <= kSide; ++i) {
+    for (std::uint32_t k = 0; k <= kSide; ++k) {
+      mesh.positions.insert(mesh.positions.end(),
+                            {static_cast<float>(i), static_cast<float>(k), 0.0F});
+      if (i < kSide && k < kSide) {
+        const std::uint32_t at = i * (kSide + 1) + k;
+        mesh.triangles.insert(mesh.triangles.end(),
+                              {at, at + 1, at + kSide + 2, at, at + kSide + 2, at + kSide + 1});
+      }
+    }
+  }
+  scene.setParts({prepare(mesh)});
+  constexpr double kCapacity = 20000.0;
+  for (const PartStyle style : {PartStyle::Solid, PartStyle::Translucent}) {
+    scene.setPartStyle(style);
+    scene.chooseAll(Scene::Detail::Fine);  // everything was drawn once
+    const double all = scene.triangles(Scene::Detail::Fine);
+    EXPECT_NEAR(all, 80000 + 16 * 40 * 799, 1000);
+    EXPECT_LT(scene.triangles(Scene::Detail::Coarse), 0.1 * all);
+    scene.beginPortions(kCapacity);
+    double sum = 0.0;
+    int portions = 0;
+    while (!scene.portionsComplete()) {
+      const double triangles = scene.choosePortion(kCapacity);
+      EXPECT_LE(triangles, kCapacity);
+      sum += triangles;
+      ASSERT_LT(++portions, 100);
+    }
+    EXPECT_GT(portions, 20);
+    if (style == PartStyle::Solid) {
+      EXPECT_DOUBLE_EQ(sum, all) << "all of it is drawn, and nothing twice";
+    } else {
+      EXPECT_LT(sum, all - 60000) << "a translucent part is mixed in one go, so it is coarse";
+    }
+  }
+}
+
+TEST(Scene, WhatIsDrawnFirstCountsMore) {
+  Scene scene;
+  scene.setPath(samplePath(2, 50)->prepared());
+  const double before = scene.triangles(Scene::Detail::Fine);
+  EXPECT_GT(before, scene.chooseAll(Scene::Detail::Fine) * 0.99);
+  EXPECT_LT(scene.triangles(Scene::Detail::Fine), before);
+}
+
+TEST(FrameBudget, LearnsWhatAFrameHolds) {
+  FrameBudget budget;
+  EXPECT_EQ(budget.capacity(), FrameBudget::kFirst);
+  for (int i = 0; i < 30; ++i) {
+    budget.drawn(budget.capacity(), 0.001);
+  }
+  EXPECT_GT(budget.capacity(), 1e6) << "a graphics card gets all at once";
+  // 200 000 triangles a second
+  for (int i = 0; i < 30; ++i) {
+    budget.drawn(budget.capacity(), budget.capacity() / 200000.0);
+  }
+  EXPECT_LE(budget.capacity(), std::max(FrameBudget::kLeast, 200000.0 * FrameBudget::kFrame));
+  for (int i = 0; i < 30; ++i) {
+    budget.drawn(1e4, 10.0);
+  }
+  EXPECT_EQ(budget.capacity(), FrameBudget::kLeast);
+  budget.drawn(10.0, 0.0001);
+  EXPECT_EQ(budget.capacity(), FrameBudget::kLeast) << "a few triangles say nothing about many";
 }
 
 TEST(Scene, PicksTheMoveUnderTheMouse) {

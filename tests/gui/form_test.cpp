@@ -14,6 +14,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QToolButton>
 
 namespace wcam::gui {
@@ -93,6 +94,7 @@ TEST_F(Form, AValueOfTheFileThatIsWrongHasItsErrorAtTheField) {
 
 TEST_F(Form, WhatIsSetCanBeReset) {
   set(Value::object({{"bead_width", 7.0}}));
+  ASSERT_NE(form.field("params", "bead_width"), nullptr);
   const auto buttons = form.findChildren<QToolButton*>();
   QToolButton* reset = nullptr;
   for (QToolButton* button : buttons) {
@@ -151,6 +153,117 @@ TEST_F(Form, ANewValueOfTheSameNodeKeepsTheFields) {
   set(Value::object({{"bead_width", 9.0}}));
   EXPECT_EQ(form.field("params", "bead_width"), before);
   EXPECT_EQ(line("bead_width").text(), "9");
+}
+
+TEST_F(Form, MakesWidgetsOnceAndOnlyForWhatIsShown) {
+  auto* level = form.findChild<QComboBox*>("formLevel");
+  level->setCurrentIndex(0);
+  std::vector<ParamDef> defs;
+  for (int i = 0; i < 60; ++i) {
+    ParamDef def;
+    def.info.key = def.info.label = "p" + std::to_string(i);
+    def.info.level = i % 3 == 0 ? ParamLevel::Basic : ParamLevel::Expert;
+    def.defaultValue = Value(1.0);
+    defs.push_back(def);
+  }
+  const auto show = [&](const Value& values) {
+    form.setSections("many", "many", {{"params", "Parameters", ParamSchema(defs), values}});
+  };
+  const int before = form.builds();
+  show(Value::object());
+  EXPECT_EQ(form.filledRows(), 0U) << "widgets come in later turns of the event loop";
+  ASSERT_TRUE(test::waitFor([&] { return form.filledRows() > 0; }));
+  QTest::qWait(50);
+  EXPECT_EQ(form.filledRows(), 20U);
+  show(Value::object({{"p0", 9.0}}));
+  show(Value::object({{"p3", 7.0}}));
+  EXPECT_EQ(form.builds(), before + 1) << "other values of the same parameters";
+  show(Value::object({{"p1", 2.0}}));
+  EXPECT_EQ(form.filledRows(), 21U) << "what is set is shown";
+  level->setCurrentIndex(2);
+  EXPECT_EQ(form.filledRows(), 60U);
+  level->setCurrentIndex(0);
+  EXPECT_EQ(form.builds(), before + 1);
+}
+
+TEST_F(Form, AListOfObjectsIsChosenWithTheKeyboardAndTheMouse) {
+  ParamDef def;
+  def.info.key = def.info.label = "parts";
+  def.type = ParamType::Text;
+  def.defaultValue = Value("");
+  const auto show = [&](const char* ids) {
+    form.setSections("list", "list",
+                     {{"node",
+                       "Settings",
+                       ParamSchema({def}),
+                       Value::object({{"parts", ids}}),
+                       false,
+                       {{"parts", {{"a", "a – a.step"}, {"b", ""}, {"c", ""}}}},
+                       {}}});
+  };
+  show("c, gone");
+  auto* list = qobject_cast<QListWidget*>(form.field("node", "parts"));
+  ASSERT_NE(list, nullptr);
+  ASSERT_EQ(list->count(), 4);
+  EXPECT_EQ(list->item(0)->text(), "a – a.step");
+  EXPECT_EQ(list->item(2)->checkState(), Qt::Checked);
+  EXPECT_TRUE(list->item(3)->text().contains("gone")) << "it can be unchecked";
+  list->setFocus();
+  list->setCurrentRow(0);
+  QTest::keyClick(list, Qt::Key_Space);
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(edits[0].value, Value("c, gone, a")) << "the order of the file stays";
+  show("c, gone, a");
+  EXPECT_EQ(form.field("node", "parts"), list);
+  const QRect last = list->visualItemRect(list->item(3));
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, last.center());
+  QTest::keyClick(list, Qt::Key_Space);
+  ASSERT_EQ(edits.size(), 2U);
+  EXPECT_EQ(edits[1].value, Value("c, a"));
+}
+
+TEST_F(Form, AnIndexCountsFromOne) {
+  ParamDef def;
+  def.info.key = def.info.label = "first_layer";
+  def.info.min = -100;
+  def.info.max = 100;
+  def.type = ParamType::Integer;
+  def.defaultValue = Value(0);
+  const auto show = [&](const Value& values) {
+    form.setSections(
+        "index", "index",
+        {{"params", "Parameters", ParamSchema({def}), values, false, {}, {"first_layer"}}});
+  };
+  show(Value::object());
+  EXPECT_EQ(line("first_layer").text(), "1");
+  type("first_layer", "4");
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(edits[0].value, Value(3));
+  show(Value::object({{"first_layer", 3}}));
+  EXPECT_EQ(line("first_layer").text(), "4");
+  type("first_layer", "-1");
+  ASSERT_EQ(edits.size(), 2U);
+  EXPECT_EQ(edits[1].value, Value(-1)) << "the top layer";
+  show(Value::object({{"first_layer", -1}}));
+  EXPECT_EQ(line("first_layer").text(), "-1");
+  type("first_layer", "0");
+  EXPECT_EQ(edits.size(), 2U);
+  EXPECT_FALSE(form.errorAt("params", "first_layer").isEmpty());
+}
+
+TEST(NodeForm, PartsAndOperationsAreChosenAndLayersOfEditsCountFromOne) {
+  project::Document document = project::loadProject(test::example("elbow")).document;
+  const NodeForm operation = formOf(document, {"operations", "planar"}, *test::plugins());
+  ASSERT_EQ(operation.sections[0].lists.count("parts"), 1U);
+  EXPECT_EQ(operation.sections[0].lists.at("parts").size(), document.project().parts.size());
+  const project::Command command = commandOf(document, {"operations", "planar"}, "node", "parts",
+                                             Value("x, " + document.project().parts[0].id));
+  EXPECT_EQ(command.args.at("parts").size(), 2U);
+  document = project::apply(
+      document,
+      {"edit.add", Value::object({{"operation", "planar"}, {"id", "p"}, {"type", "pause"}})});
+  const NodeForm edit = formOf(document, editRef("planar", "p"), *test::plugins());
+  EXPECT_EQ(edit.sections[1].indices, (std::set<std::string>{"first_layer", "last_layer", "bead"}));
 }
 
 TEST(NodeForm, EveryNodeOfEveryExampleHasAFormWhoseFieldsMakeValidCommands) {

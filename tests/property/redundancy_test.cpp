@@ -71,20 +71,19 @@ project::Document quickExample(const std::string& file) {
   return project::Document::parse(changed.set("operations", operations), file);
 }
 
-/// A few beads from the beginning, the middle and the end.
+/// Whole layers, evenly chosen, until there are more than so many points.
 toolpath::Toolpath excerpt(const toolpath::Toolpath& path, std::size_t points) {
+  const std::size_t total = path.pointCount();
+  const std::size_t every = std::max<std::size_t>(1, total / points);
   toolpath::Toolpath result;
-  const std::size_t count = path.layers.size();
-  for (const std::size_t l : {std::size_t{0}, count / 2, count - 1}) {
-    toolpath::Layer layer = path.layers[l];
-    layer.beads.resize(std::min<std::size_t>(layer.beads.size(), 2));
-    for (toolpath::Bead& bead : layer.beads) {
-      bead.points.resize(std::min(bead.points.size(), points));
-    }
-    result.layers.push_back(std::move(layer));
+  for (std::size_t l = 0; l < path.layers.size(); l += every) {
+    result.layers.push_back(path.layers[l]);
   }
   return result;
 }
+
+/// Points of an example at most: above the 2000 up to which all modes are candidates anyway.
+constexpr std::size_t kMostPoints = 3000;
 
 class ExampleProject : public ::testing::TestWithParam<const char*> {};
 
@@ -97,7 +96,7 @@ TEST_P(ExampleProject, OptimizedIsNeverWorseThanANamedMode) {
   const project::Pipeline pipeline(document, file, plugins,
                                    std::make_shared<project::StageCache>());
   const auto result = pipeline.compute(document.project().operations[0].id, JobContext());
-  expectNeverWorse(excerpt(*result.path, 50), *result.cell);
+  expectNeverWorse(excerpt(*result.path, kMostPoints), *result.cell);
 }
 
 INSTANTIATE_TEST_SUITE_P(All,

@@ -13,7 +13,9 @@
 #include "paths.hpp"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace wcam::motion {
 namespace {
@@ -272,6 +274,24 @@ TEST(CircleOverThePositioner, constraintsHoldWithTheCableLimit) {
   EXPECT_TRUE(optimized.statistics.evaluation.feasible());
   EXPECT_LE(optimized.statistics.maxCableTwist, degToRad(120.0));
   EXPECT_LE(optimized.statistics.evaluation.value(Objective::Motion), bestConstant);
+}
+
+TEST(Optimized, tellsHowFarItIs) {
+  std::vector<double> told;
+  std::mutex mutex;
+  const JobContext context({}, [&](double fraction, const std::string& /*label*/) {
+    const std::lock_guard lock(mutex);
+    told.push_back(fraction);
+  });
+  (void)planMotion(test::circles(3, 60, 40, Vec3(0, 0, 0)), shippedCell("fanuc_arcmate120ic"), {},
+                   "op", context);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  // While the candidates are planned, from 0.1 to 0.8 of the whole.
+  const auto between = std::count_if(
+      told.begin(), told.end(), [](double fraction) { return fraction > 0.11 && fraction < 0.79; });
+  EXPECT_GE(between, 5);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back(), 1.0);
 }
 
 TEST(Uncertainty, isTheRootOfTheTraceAndScalesWithSigma) {

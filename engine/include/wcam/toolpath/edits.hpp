@@ -106,6 +106,10 @@ struct Edit {
 /// The parameters of a type, with their texts.
 const Schema<EditParams>& editSchema(EditType type);
 
+/// True for parameters that are indices of layers and beads. Files and camcli count them from 0,
+/// forms and reports for people from 1; negative ones mean the same in both.
+bool isEditIndex(std::string_view key) noexcept;
+
 /// All that is wrong with the parameters of an edit: those of the schema, and values that
 /// contradict each other (a layer range that ends before it begins, an empty box, a normal without
 /// direction).
