@@ -22,9 +22,9 @@ const char* toString(Severity severity) noexcept {
 Value toValue(const Diagnostic& diagnostic) {
   Value result = Value::object({{"severity", toString(diagnostic.severity)},
                                 {"code", diagnostic.code},
-                                {"message", diagnostic.message}});
+                                {"message", diagnostic.message.str()}});
   if (!diagnostic.remedy.empty()) {
-    result.set("remedy", diagnostic.remedy);
+    result.set("remedy", diagnostic.remedy.str());
   }
   const Place& place = diagnostic.place;
   if (place != Place{}) {
@@ -67,9 +67,9 @@ std::string toLine(const Diagnostic& diagnostic) {
     put("point", place.point);
     line += " [" + where + "]";
   }
-  line += ": " + diagnostic.message;
+  line += ": " + diagnostic.message.str();
   if (!diagnostic.remedy.empty()) {
-    line += " (" + diagnostic.remedy + ")";
+    line += " (" + diagnostic.remedy.str() + ")";
   }
   return line;
 }

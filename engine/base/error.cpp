@@ -10,8 +10,8 @@
 namespace wcam {
 
 namespace {
-std::string compose(const std::string& message, const std::string& context) {
-  return context.empty() ? message : context + ": " + message;
+Text compose(const Text& message, const Text& context) {
+  return context.empty() ? message : text("%1: %2", {context, message});
 }
 }  // namespace
 
@@ -71,14 +71,21 @@ int exitCodeOf(ErrorCode code) noexcept {
   return 2;
 }
 
-Error::Error(ErrorCode code, std::string message, std::string context, std::string hint)
-    : std::runtime_error(compose(message, context)),
+Error::Error(ErrorCode code, Text message, Text context, Text hint)
+    : std::runtime_error(compose(message, context).str()),
       code_(code),
-      message_(std::move(message)),
-      context_(std::move(context)),
-      hint_(std::move(hint)) {}
+      messageText_(std::move(message)),
+      contextText_(std::move(context)),
+      hintText_(std::move(hint)),
+      message_(messageText_.str()),
+      context_(contextText_.str()),
+      hint_(hintText_.str()) {}
 
 Error::~Error() = default;
+
+Text Error::whatText() const {
+  return compose(messageText_, contextText_);
+}
 
 CancelledError::CancelledError() : Error(ErrorCode::Cancelled, "cancelled") {}
 

@@ -42,11 +42,11 @@ private:
 };
 
 [[noreturn]] void cannotWrite(const std::filesystem::path& file, int error) {
-  const char* hint = error == ENOSPC   ? "free some space on the disk and try again"
-                     : error == EACCES ? "choose a folder that you may write to"
-                                       : "choose another place";
-  throw Error(ErrorCode::OutputConflict, "cannot be written: " + causeOf(error), pathText(file),
-              hint);
+  const Text hint = text(error == ENOSPC   ? "free some space on the disk and try again"
+                         : error == EACCES ? "choose a folder that you may write to"
+                                           : "choose another place");
+  throw Error(ErrorCode::OutputConflict, text("cannot be written: %1", {causeOf(error)}),
+              pathText(file), hint);
 }
 
 }  // namespace
@@ -59,7 +59,8 @@ std::string readFile(const std::filesystem::path& file) {
   if (fd.get() < 0 || ::fstat(fd.get(), &info) != 0) {
     const int error = errno;
     throw Error(ErrorCode::InputNotFound,
-                error == ENOENT ? "the file does not exist" : "cannot be read: " + causeOf(error),
+                error == ENOENT ? text("the file does not exist")
+                                : text("cannot be read: %1", {causeOf(error)}),
                 pathText(file), "check the path and the permissions");
   }
   if (S_ISDIR(info.st_mode)) {
@@ -78,7 +79,8 @@ std::string readFile(const std::filesystem::path& file) {
       continue;
     }
     if (got < 0) {
-      throw Error(ErrorCode::InputInvalid, "cannot be read: " + causeOf(errno), pathText(file));
+      throw Error(ErrorCode::InputInvalid, text("cannot be read: %1", {causeOf(errno)}),
+                  pathText(file));
     }
     if (got == 0) {
       content.resize(done);
@@ -147,7 +149,8 @@ void createFolder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) {
     throw Error(ErrorCode::OutputConflict,
-                "the folder cannot be made: " + (error ? error.message() : "a file has this name"),
+                error ? text("the folder cannot be made: %1", {error.message()})
+                      : text("the folder cannot be made: a file has this name"),
                 pathText(folder), "choose a folder that you may write to");
   }
 }

@@ -100,7 +100,7 @@ public:
 
   bool key(string_t& v) override {
     if (stack_.back().value.contains(v)) {
-      fail("the key '" + v + "' stands twice in one object");
+      fail(text("the key '%1' stands twice in one object", {v}));
     }
     stack_.back().key = std::move(v);
     return true;
@@ -126,12 +126,12 @@ private:
     std::string key;
   };
 
-  [[noreturn]] void fail(const std::string& message) const {
+  [[noreturn]] void fail(const Text& message) const {
     // The parser has read one character past the token, or is right behind it.
     const std::string_view done(text_.data(), static_cast<std::size_t>(reached_ - text_.data()));
     const auto line = 1 + std::count(done.begin(), done.end() - (done.empty() ? 0 : 1), '\n');
-    throw Error(ErrorCode::InputInvalid, "line " + std::to_string(line) + ": " + message, context_,
-                "the file must be UTF-8 JSON");
+    throw Error(ErrorCode::InputInvalid, text("line %1: %2", {std::to_string(line), message}),
+                context_, "the file must be UTF-8 JSON");
   }
 
   bool open(Value container) {
@@ -245,8 +245,8 @@ Value parseJson(std::string_view text, const std::string& context) {
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     const auto line =
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-    throw Error(ErrorCode::InputInvalid, "line " + std::to_string(line) + ": a zero byte", context,
-                "the file must be UTF-8 JSON");
+    throw Error(ErrorCode::InputInvalid, wcam::text("line %1: a zero byte", {std::to_string(line)}),
+                context, "the file must be UTF-8 JSON");
   }
   Builder builder(text, context);
   if (!nlohmann::json::sax_parse(builder.begin(), builder.end(), &builder)) {

@@ -34,15 +34,17 @@ std::string limitText(double limit, const ParamDef& def) {
 }
 
 /// Empty when the number keeps the limits.
-std::string limitProblem(double number, const ParamDef& def) {
+Text limitProblem(double number, const ParamDef& def) {
   if (!std::isfinite(number)) {
     return "is not a finite number";
   }
   if (number < def.info.min) {
-    return limitText(number, def) + " is below the minimum of " + limitText(def.info.min, def);
+    return text("%1 is below the minimum of %2",
+                {limitText(number, def), limitText(def.info.min, def)});
   }
   if (number > def.info.max) {
-    return limitText(number, def) + " is above the maximum of " + limitText(def.info.max, def);
+    return text("%1 is above the maximum of %2",
+                {limitText(number, def), limitText(def.info.max, def)});
   }
   return {};
 }
@@ -65,7 +67,7 @@ double readNumber(const Value& value, const ParamDef& def) {
 /// Normalised value (numbers instead of texts with units). @throws Error(InvalidArgument) with the
 /// problem
 Value normalise(const Value& value, const ParamDef& def) {
-  const auto fail = [](const std::string& message) -> Value {
+  const auto fail = [](const Text& message) -> Value {
     throw Error(ErrorCode::InvalidArgument, message);
   };
   switch (def.type) {
@@ -73,14 +75,14 @@ Value normalise(const Value& value, const ParamDef& def) {
       return Value(value.asBool());
     case ParamType::Integer: {
       if (!value.isInteger()) {
-        return fail(std::string("expected an integer, got ") + toString(value.type()));
+        return fail(text("expected an integer, got %1", {toString(value.type())}));
       }
-      const std::string problem = limitProblem(static_cast<double>(value.asInteger()), def);
+      const Text problem = limitProblem(static_cast<double>(value.asInteger()), def);
       return problem.empty() ? value : fail(problem);
     }
     case ParamType::Real: {
       const double number = readNumber(value, def);
-      const std::string problem = limitProblem(number, def);
+      const Text problem = limitProblem(number, def);
       return problem.empty() ? Value(number) : fail(problem);
     }
     case ParamType::Text:
@@ -92,9 +94,9 @@ Value normalise(const Value& value, const ParamDef& def) {
           return value;
         }
       }
-      const std::string got =
-          value.isString() ? "'" + value.asString() + "'" : toString(value.type());
-      return fail(got + " is not one of: " + choiceList(def));
+      const Text got =
+          value.isString() ? Text("'" + value.asString() + "'") : Text(toString(value.type()));
+      return fail(text("%1 is not one of: %2", {got, choiceList(def)}));
     }
     case ParamType::Vector3: {
       if (!value.isArray() || value.size() != 3) {
@@ -103,7 +105,7 @@ Value normalise(const Value& value, const ParamDef& def) {
       Value::Array items;
       for (const Value& item : value.asArray()) {
         const double number = readNumber(item, def);
-        const std::string problem = limitProblem(number, def);
+        const Text problem = limitProblem(number, def);
         if (!problem.empty()) {
           return fail(problem);
         }
@@ -189,16 +191,16 @@ std::vector<ParamProblem> ParamSchema::validate(const Value& params,
     const ParamDef* def = find(key);
     if (def == nullptr) {
       const auto near = nearestName(key, keysOf(defs_));
-      problems.push_back(
-          {place,
-           "is not a parameter here" + (near ? "; did you mean '" + *near + "'?" : std::string()),
-           true});
+      problems.push_back({place,
+                          near ? text("is not a parameter here; did you mean '%1'?", {*near})
+                               : text("is not a parameter here"),
+                          true});
       continue;
     }
     try {
       normalise(value, *def);
     } catch (const Error& error) {
-      problems.push_back({place, error.message(), false});
+      problems.push_back({place, error.messageText(), false});
     }
   }
   return problems;
@@ -223,9 +225,10 @@ Value ParamSchema::parse(std::string_view key, std::string_view text) const {
   const ParamDef* def = find(key);
   if (def == nullptr) {
     const auto near = nearestName(key, keysOf(defs_));
-    throw Error(
-        ErrorCode::InvalidArgument, "'" + std::string(key) + "' is not a parameter here", {},
-        near ? "did you mean '" + *near + "'?" : "parameters: " + joinText(keysOf(defs_), ", "));
+    throw Error(ErrorCode::InvalidArgument,
+                wcam::text("'%1' is not a parameter here", {std::string(key)}), {},
+                near ? wcam::text("did you mean '%1'?", {*near})
+                     : wcam::text("parameters: %1", {joinText(keysOf(defs_), ", ")}));
   }
   const std::string name(key);
   try {
@@ -235,11 +238,12 @@ Value ParamSchema::parse(std::string_view key, std::string_view text) const {
           return Value(text == "true");
         }
         throw Error(ErrorCode::InvalidArgument,
-                    "'" + std::string(text) + "' is neither true nor false");
+                    wcam::text("'%1' is neither true nor false", {std::string(text)}));
       case ParamType::Integer: {
         const auto number = parseReal(text);
         if (!number || *number != std::floor(*number) || std::abs(*number) > 9e15) {
-          throw Error(ErrorCode::InvalidArgument, "'" + std::string(text) + "' is not an integer");
+          throw Error(ErrorCode::InvalidArgument,
+                      wcam::text("'%1' is not an integer", {std::string(text)}));
         }
         return normalise(Value(static_cast<std::int64_t>(*number)), *def);
       }
@@ -254,7 +258,7 @@ Value ParamSchema::parse(std::string_view key, std::string_view text) const {
         return normalise(Value(text), *def);
     }
   } catch (const Error& error) {
-    throw Error(ErrorCode::InvalidArgument, error.message(), name, error.hint());
+    throw Error(ErrorCode::InvalidArgument, error.messageText(), name, error.hintText());
   }
 }
 
@@ -282,8 +286,8 @@ bool ParamSchema::enabled(const ParamDef& def, const Value& completed) {
     const Value* value = completed.find(condition.key);
     if (value == nullptr) {
       throw Error(ErrorCode::Internal,
-                  "the condition '" + def.info.enabledIf + "' names no declared parameter",
-                  "parameter " + def.info.key, "correct the declaration of the component");
+                  text("the condition '%1' names no declared parameter", {def.info.enabledIf}),
+                  text("parameter %1", {def.info.key}), "correct the declaration of the component");
     }
     if (sameText(*value, condition.value) == condition.negated) {
       return false;
@@ -379,21 +383,20 @@ std::string ParamSchema::markdown() const {
   return text;
 }
 
-void throwProblems(const std::vector<ParamProblem>& problems,
-                   ErrorCode code,
-                   const std::string& context) {
+void throwProblems(const std::vector<ParamProblem>& problems, ErrorCode code, const Text& context) {
   if (problems.empty()) {
     return;
   }
-  std::vector<std::string> lines;
+  std::vector<Text> lines;
   lines.reserve(problems.size());
   for (const ParamProblem& problem : problems) {
-    lines.push_back(problem.path + ": " + problem.message);
+    lines.push_back(text("%1: %2", {problem.path, problem.message}));
   }
-  throw Error(code,
-              (lines.size() == 1 ? "" : std::to_string(lines.size()) + " problems:\n  ") +
-                  joinText(lines, "\n  "),
-              context, "correct the values and try again");
+  const Text all = joinTexts(lines, "\n  ");
+  throw Error(
+      code,
+      lines.size() == 1 ? all : text("%1 problems:\n  %2", {std::to_string(lines.size()), all}),
+      context, "correct the values and try again");
 }
 
 }  // namespace wcam

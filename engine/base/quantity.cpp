@@ -149,11 +149,11 @@ double parseQuantity(std::string_view text, QuantityKind kind) {
       accepted += (accepted.empty() ? "" : ", ") + std::string(unit.name);
     }
   }
-  const std::string hint =
-      accepted.empty() ? "write a plain number" : "write a number with one of: " + accepted;
+  const Text hint = accepted.empty() ? wcam::text("write a plain number")
+                                     : wcam::text("write a number with one of: %1", {accepted});
   if (digits.empty() || error != std::errc{} || !std::isfinite(number)) {
-    throw Error(ErrorCode::InvalidArgument, "'" + std::string(text) + "' is not a number", {},
-                hint);
+    throw Error(ErrorCode::InvalidArgument, wcam::text("'%1' is not a number", {std::string(text)}),
+                {}, hint);
   }
   const std::string_view unitText = trimText(
       std::string_view(end, static_cast<std::size_t>(digits.data() + digits.size() - end)));
@@ -170,7 +170,8 @@ double parseQuantity(std::string_view text, QuantityKind kind) {
     }
   }
   throw Error(ErrorCode::InvalidArgument,
-              "'" + std::string(unitText) + "' is no unit of " + toString(kind), {}, hint);
+              wcam::text("'%1' is no unit of %2", {std::string(unitText), toString(kind)}), {},
+              hint);
 }
 
 }  // namespace wcam

@@ -6,8 +6,75 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <ostream>
+#include <utility>
 
 namespace wcam {
+
+namespace {
+std::string rendered(const Text& text, const TranslateFunction& translate, bool argument) {
+  if (argument && text.foreign()) {
+    return text.pattern();
+  }
+  std::string pattern = translate ? translate(text.pattern()) : text.pattern();
+  const std::vector<Text>& arguments = text.arguments();
+  if (arguments.empty()) {
+    return pattern;
+  }
+  std::string result;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const char digit = pattern[i] == '%' && i + 1 < pattern.size() ? pattern[i + 1] : '0';
+    const auto place = static_cast<std::size_t>(digit - '1');
+    if (digit >= '1' && digit <= '9' && place < arguments.size()) {
+      result += rendered(arguments[place], translate, true);
+      ++i;
+    } else {
+      result += pattern[i];
+    }
+  }
+  return result;
+}
+
+/// In halves, so that the nesting of a list of any length stays shallow.
+Text joined(const Text* parts, std::size_t count, const std::string& pattern) {
+  if (count == 1) {
+    return *parts;
+  }
+  const std::size_t half = count / 2;
+  std::vector<Text> halves;
+  halves.reserve(2);
+  halves.push_back(joined(parts, half, pattern));
+  halves.push_back(joined(parts + half, count - half, pattern));
+  return {pattern, std::move(halves)};
+}
+}  // namespace
+
+Text::Text(const char* words) : pattern_(words) {}
+
+Text::Text(std::string words) : pattern_(std::move(words)), foreign_(true) {}
+
+Text::Text(std::string pattern, std::vector<Text> arguments)
+    : pattern_(std::move(pattern)), arguments_(std::move(arguments)) {}
+
+std::string Text::str() const {
+  return arguments_.empty() ? pattern_ : rendered(*this, {}, false);
+}
+
+std::ostream& operator<<(std::ostream& stream, const Text& text) {
+  return stream << text.str();
+}
+
+Text text(const char* pattern, std::vector<Text> arguments) {
+  return {pattern, std::move(arguments)};
+}
+
+Text joinTexts(const std::vector<Text>& parts, const std::string& separator) {
+  return parts.empty() ? Text() : joined(parts.data(), parts.size(), "%1" + separator + "%2");
+}
+
+std::string render(const Text& text, const TranslateFunction& translate) {
+  return rendered(text, translate, false);
+}
 
 std::vector<std::string> splitText(std::string_view text, char separator) {
   std::vector<std::string> parts;

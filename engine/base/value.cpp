@@ -9,8 +9,7 @@ namespace wcam {
 
 namespace {
 [[noreturn]] void wrongType(const char* wanted, Value::Type got) {
-  throw Error(ErrorCode::InvalidArgument,
-              std::string("expected ") + wanted + ", got " + toString(got));
+  throw Error(ErrorCode::InvalidArgument, text("expected %1, got %2", {wanted, toString(got)}));
 }
 }  // namespace
 
@@ -106,7 +105,7 @@ const Value& Value::at(std::string_view key) const {
   if (type_ != Type::Object) {
     wrongType("an object", type_);
   }
-  throw Error(ErrorCode::InvalidArgument, "the key '" + std::string(key) + "' is missing");
+  throw Error(ErrorCode::InvalidArgument, text("the key '%1' is missing", {std::string(key)}));
 }
 
 std::size_t Value::size() const noexcept {

@@ -21,20 +21,20 @@ constexpr double kDistanceTolerance = 1e-7;
 /// A length below this (mm) has no usable sign or direction.
 constexpr double kNoLength = 1e-6;
 
-[[noreturn]] void fail(const std::string& what, double by, const char* unit) {
-  throw Error(ErrorCode::ProjectInvalid, what + " (off by " + formatFixed(by, 6) + " " + unit + ")",
-              "robot",
+[[noreturn]] void fail(const Text& what, double by, const char* unit) {
+  throw Error(ErrorCode::ProjectInvalid,
+              text("%1 (off by %2 %3)", {what, formatFixed(by, 6), std::string(unit)}), "robot",
               "the closed-form inverse kinematics needs axes 2 and 3 parallel, both at a right "
               "angle to axes 1 and 4, and axes 4, 5, 6 meeting at right angles in one point");
 }
 
-void requireAngle(double deviation, const std::string& what) {
+void requireAngle(double deviation, const Text& what) {
   if (!(std::abs(deviation) <= kAngleTolerance)) {
     fail(what, radToDeg(std::abs(deviation)), "deg");
   }
 }
 
-void requireDistance(double deviation, const std::string& what) {
+void requireDistance(double deviation, const Text& what) {
   if (!(std::abs(deviation) <= kDistanceTolerance)) {
     fail(what, std::abs(deviation), "mm");
   }
@@ -179,13 +179,14 @@ void verify(const Arm& arm, const Chain& chain) {
 Arm reduceArm(const Chain& chain) {
   if (chain.size() != 6) {
     throw Error(ErrorCode::ProjectInvalid,
-                "the robot has " + std::to_string(chain.size()) + " joints", "robot",
+                text("the robot has %1 joints", {std::to_string(chain.size())}), "robot",
                 "the closed-form inverse kinematics needs 6 revolute joints");
   }
   for (const Joint& joint : chain.joints) {
     if (joint.prismatic()) {
-      throw Error(ErrorCode::ProjectInvalid, "joint " + joint.name + " of the robot is prismatic",
-                  "robot", "the closed-form inverse kinematics of an arm needs 6 revolute joints");
+      throw Error(ErrorCode::ProjectInvalid,
+                  text("joint %1 of the robot is prismatic", {joint.name}), "robot",
+                  "the closed-form inverse kinematics of an arm needs 6 revolute joints");
     }
   }
   const Vector6 zero = Vector6::Zero();

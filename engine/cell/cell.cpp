@@ -25,9 +25,10 @@ JointVector Cell::fromConvention(const std::string& wanted, const JointVector& s
     }
     names += (names.empty() ? "" : ", ") + convention.name;
   }
-  throw Error(ErrorCode::InvalidArgument, "there is no zero convention '" + wanted + "'",
-              "cell " + name,
-              names.empty() ? "the cell file declares none" : "the cell file declares: " + names);
+  throw Error(ErrorCode::InvalidArgument, text("there is no zero convention '%1'", {wanted}),
+              text("cell %1", {name}),
+              names.empty() ? text("the cell file declares none")
+                            : text("the cell file declares: %1", {names}));
 }
 
 Vec3 Cell::verticalInBase() const {
@@ -44,11 +45,11 @@ double JointSum::value(const JointVector& q) const {
 
 void prepareArm(Cell& cell) {
   cell.arm.reset();
-  cell.armProblem.clear();
+  cell.armProblem = {};
   try {
     cell.arm = reduceArm(cell.robot);
   } catch (const Error& error) {
-    cell.armProblem = error.message() + "; " + error.hint();
+    cell.armProblem = text("%1; %2", {error.messageText(), error.hintText()});
   }
   cell.inverse = detail::makeInverse(cell);
 }

@@ -40,8 +40,8 @@ void readZeroConventions(Reader& reader, const Value& robot, Cell& cell) {
     }
     const std::string path = "robot.zero_conventions." + name;
     if (!offsets.isArray() || offsets.size() != cell.robot.joints.size()) {
-      reader.problem(path, "expected a list of " + std::to_string(cell.robot.size()) +
-                               " offsets, one per joint");
+      reader.problem(path, wcam::text("expected a list of %1 offsets, one per joint",
+                                      {std::to_string(cell.robot.size())}));
       continue;
     }
     ZeroConvention convention{name, JointVector(cell.robot.size())};
@@ -73,9 +73,9 @@ void readRobot(Reader& reader, const Value& file, Cell& cell) {
   if (robot->contains("joints") && robot->at("joints").isArray() &&
       cell.robot.size() != kRobotJoints &&
       (cell.partCarried() || cell.robot.size() != kFewestRobotJoints)) {
-    reader.problem("robot.joints", "expected 6 joints" +
-                                       std::string(cell.partCarried() ? "" : " (or 5)") + ", got " +
-                                       std::to_string(cell.robot.size()));
+    reader.problem("robot.joints", text(cell.partCarried() ? "expected 6 joints, got %1"
+                                                           : "expected 6 joints (or 5), got %1",
+                                        {std::to_string(cell.robot.size())}));
   }
 }
 
@@ -105,8 +105,8 @@ void readPositioner(Reader& reader, const Value& file, Cell& cell) {
   cell.T_table_part = reader.pose(*positioner, "positioner", "T_table_part", false);
   readJoints(reader, *positioner, "positioner", cell.positioner);
   if (cell.positioner.size() > kMaxPositionerJoints) {
-    reader.problem("positioner.joints",
-                   "expected 0, 1 or 2 joints, got " + std::to_string(cell.positioner.size()));
+    reader.problem("positioner.joints", wcam::text("expected 0, 1 or 2 joints, got %1",
+                                                   {std::to_string(cell.positioner.size())}));
   }
 }
 
@@ -126,22 +126,25 @@ void readConfiguration(Reader& reader, const Value& file, Cell& cell) {
   if (text == "part_carried") {
     cell.configuration = Configuration::PartCarried;
   } else if (text != "torch_carried" && !text.empty()) {
-    reader.problem("configuration", "'" + text + "' is neither torch_carried nor part_carried");
+    reader.problem("configuration",
+                   wcam::text("'%1' is neither torch_carried nor part_carried", {text}));
   }
 }
 
-void checkVersion(const Value& file, const std::string& contextName) {
+void checkVersion(const Value& file, const Text& contextName) {
   const Value* version = file.find("format_version");
   if (version == nullptr || !version->isInteger() || version->asInteger() < 1) {
     throw Error(ErrorCode::ProjectInvalid,
-                "format_version: expected the integer " + std::to_string(Cell::kFormatVersion),
+                wcam::text("format_version: expected the integer %1",
+                           {std::to_string(Cell::kFormatVersion)}),
                 contextName, "this does not look like a cell file");
   }
   if (version->asInteger() > Cell::kFormatVersion) {
-    throw Error(ErrorCode::ProjectInvalid,
-                "the cell file has format version " + std::to_string(version->asInteger()) +
-                    "; this program reads versions up to " + std::to_string(Cell::kFormatVersion),
-                contextName, "use a newer program");
+    throw Error(
+        ErrorCode::ProjectInvalid,
+        wcam::text("the cell file has format version %1; this program reads versions up to %2",
+                   {std::to_string(version->asInteger()), std::to_string(Cell::kFormatVersion)}),
+        contextName, "use a newer program");
   }
 }
 
@@ -160,7 +163,7 @@ CellShapes readCellShapes(Reader& reader,
                           const std::filesystem::path& folder,
                           const JobContext& context) {
   ShapeReading reading;
-  reading.problem = [&](const std::string& path, const std::string& message) {
+  reading.problem = [&](const std::string& path, const Text& message) {
     reader.problem(path, message);
   };
   reading.pose = [&](const Value& parent, const std::string& path, const std::string& key) {
@@ -177,7 +180,7 @@ void checkNames(Reader& reader, const Cell& cell) {
     const std::string& name = cell.joint(j).name;
     if (!name.empty() && !names.insert(name).second) {
       reader.problem(j < cell.robotJoints() ? "robot.joints" : "positioner.joints",
-                     "the joint name '" + name + "' is used twice");
+                     wcam::text("the joint name '%1' is used twice", {name}));
     }
   }
 }
@@ -193,7 +196,7 @@ int jointIndex(const Cell& cell, const std::string& name) {
 
 void readSum(Reader& reader, const Value& value, const std::string& path, Cell& cell) {
   if (!value.isObject()) {
-    reader.problem(path, std::string("expected an object, got ") + toString(value.type()));
+    reader.problem(path, wcam::text("expected an object, got %1", {toString(value.type())}));
     return;
   }
   reader.knownKeys(value, path, {"name", "joints", "limits"});
@@ -232,7 +235,7 @@ void readSums(Reader& reader, const Value& file, Cell& cell) {
     return;
   }
   if (!sums->isArray()) {
-    reader.problem("sum_limits", std::string("expected a list, got ") + toString(sums->type()));
+    reader.problem("sum_limits", wcam::text("expected a list, got %1", {toString(sums->type())}));
     return;
   }
   for (std::size_t i = 0; i < sums->size(); ++i) {
@@ -245,7 +248,7 @@ void readSums(Reader& reader, const Value& file, Cell& cell) {
 namespace {
 
 Cell readCell(const Value& value,
-              const std::string& contextName,
+              const Text& contextName,
               const JobContext& context,
               const std::filesystem::path& folder,
               bool withOther);
@@ -265,7 +268,7 @@ void readOther(Reader& reader,
     // A cell that was copied alone works; only one remedy fewer is tried.
     context.add({Severity::Information,
                  "cell.other_configuration_missing",
-                 "the cell's other_configuration " + pathText(*other) + " does not exist",
+                 wcam::text("the cell's other_configuration %1 does not exist", {pathText(*other)}),
                  "copy it beside the cell file, or remove the key",
                  {},
                  {}});
@@ -274,26 +277,26 @@ void readOther(Reader& reader,
   try {
     const std::string name = pathText(*other);
     cell.other = std::make_shared<const Cell>(
-        readCell(parseJson(readFile(*other), name), "cell file " + name,
+        readCell(parseJson(readFile(*other), name), wcam::text("cell file %1", {name}),
                  context.withOwnDiagnostics(), other->parent_path(), false));
     if (cell.other->configuration == cell.configuration) {
-      reader.problem("other_configuration", name + " has the same configuration");
+      reader.problem("other_configuration", wcam::text("%1 has the same configuration", {name}));
     }
   } catch (const CancelledError&) {
     throw;
   } catch (const Error& error) {
-    reader.problem("other_configuration", error.message());
+    reader.problem("other_configuration", error.messageText());
   }
 }
 
 Cell readCell(const Value& value,
-              const std::string& contextName,
+              const Text& contextName,
               const JobContext& context,
               const std::filesystem::path& folder,
               bool withOther) {
   if (!value.isObject()) {
     throw Error(ErrorCode::ProjectInvalid,
-                std::string("expected an object, got ") + toString(value.type()), contextName,
+                wcam::text("expected an object, got %1", {toString(value.type())}), contextName,
                 "this does not look like a cell file");
   }
   checkVersion(value, contextName);
@@ -340,7 +343,7 @@ std::optional<std::filesystem::path> otherConfigurationFile(const Value& file,
 }
 
 Cell cellFromValue(const Value& value,
-                   const std::string& contextName,
+                   const Text& contextName,
                    const JobContext& context,
                    const std::filesystem::path& folder) {
   return readCell(value, contextName, context, folder, true);
@@ -348,7 +351,7 @@ Cell cellFromValue(const Value& value,
 
 Cell loadCell(const std::filesystem::path& file, const JobContext& context) {
   const std::string name = pathText(file);
-  return cellFromValue(parseJson(readFile(file), name), "cell file " + name, context,
+  return cellFromValue(parseJson(readFile(file), name), wcam::text("cell file %1", {name}), context,
                        file.has_parent_path() ? file.parent_path() : ".");
 }
 

@@ -37,7 +37,7 @@ const Value* Reader::object(const Value& parent,
   const Value* value = member(parent, parentPath, key, required);
   if (value != nullptr && !value->isObject()) {
     problem(joinPath(parentPath, key),
-            std::string("expected an object, got ") + toString(value->type()));
+            wcam::text("expected an object, got %1", {toString(value->type())}));
     return nullptr;
   }
   return value;
@@ -57,8 +57,8 @@ const Value* Reader::member(const Value& parent,
 double Reader::number(const Value& value, const std::string& path, double fallback) {
   if (!value.isNumber() || !std::isfinite(value.asReal())) {
     problem(path, value.isNumber()
-                      ? "is not a finite number"
-                      : std::string("expected a number, got ") + toString(value.type()));
+                      ? wcam::text("is not a finite number")
+                      : wcam::text("expected a number, got %1", {toString(value.type())}));
     return fallback;
   }
   return value.asReal();
@@ -96,7 +96,7 @@ std::string Reader::text(const Value& parent,
   }
   if (!value->isString()) {
     problem(joinPath(parentPath, key),
-            std::string("expected a text, got ") + toString(value->type()));
+            wcam::text("expected a text, got %1", {toString(value->type())}));
     return {};
   }
   if (required && value->asString().empty()) {
@@ -125,9 +125,13 @@ void Reader::knownKeys(const Value& object,
   for (const auto& [key, value] : object.asObject()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end() && !key.starts_with("x-")) {
       const auto near = nearestName(key, keys);
-      problem(joinPath(path, key), "is not known here" +
-                                       (near ? "; did you mean '" + *near + "'?" : std::string()) +
-                                       " (notes go into \"comment\" or keys that begin with x-)");
+      problem(
+          joinPath(path, key),
+          near ? wcam::text("is not known here; did you mean '%1'? (notes go into \"comment\" or "
+                            "keys that begin with x-)",
+                            {*near})
+               : wcam::text("is not known here (notes go into \"comment\" or keys that begin "
+                            "with x-)"));
     }
   }
 }
@@ -138,20 +142,22 @@ Eigen::Matrix3d Reader::orthonormal(const Eigen::Matrix3d& printed, const std::s
   const double deviation = gram.cwiseAbs().maxCoeff();
   if (!(deviation <= kNotARotation) || printed.determinant() <= 0.0) {
     problem(path, printed.determinant() <= 0.0 && deviation <= kNotARotation
-                      ? "the axes are left-handed"
-                      : "the axes are not perpendicular unit vectors (off by " +
-                            formatFixed(deviation, 4) + ")");
+                      ? wcam::text("the axes are left-handed")
+                      : wcam::text("the axes are not perpendicular unit vectors (off by %1)",
+                                   {formatFixed(deviation, 4)}));
     return Eigen::Matrix3d::Identity();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(printed, Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (deviation > kOrthonormal) {
-    job_.add({Severity::Warning,
-              "cell.frame_not_orthonormal",
-              contextName_ + ": the printed axes of " + path +
-                  " are not perpendicular unit vectors; the nearest rotation is used",
-              "write the axes with more digits or as angles",
-              {},
-              {{"deviation", deviation}}});
+    job_.add(
+        {Severity::Warning,
+         "cell.frame_not_orthonormal",
+         wcam::text("%1: the printed axes of %2 are not perpendicular unit vectors; the nearest "
+                    "rotation is used",
+                    {contextName_, path}),
+         "write the axes with more digits or as angles",
+         {},
+         {{"deviation", deviation}}});
   }
   return svd.matrixU() * svd.matrixV().transpose();
 }
@@ -254,7 +260,7 @@ std::array<double, 2> readRange(Reader& reader,
                                 const std::string& path,
                                 const std::string& unit) {
   if (!value.isArray() || value.size() != 2) {
-    reader.problem(path, "expected [min, max] in " + unit);
+    reader.problem(path, wcam::text("expected [min, max] in %1", {unit}));
     return {-1.0, 1.0};
   }
   const std::array<double, 2> range = {reader.number(value.asArray()[0], path + "[0]"),

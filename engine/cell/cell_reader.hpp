@@ -19,10 +19,10 @@ std::string joinPath(const std::string& path, const std::string& key);
 /// Reads values and collects every problem with its path instead of stopping at the first one.
 class Reader {
 public:
-  Reader(std::string contextName, const JobContext& job)
+  Reader(Text contextName, const JobContext& job)
       : contextName_(std::move(contextName)), job_(job) {}
 
-  void problem(const std::string& path, const std::string& message) {
+  void problem(const std::string& path, const Text& message) {
     problems_.push_back({path, message, false});
   }
 
@@ -75,7 +75,7 @@ private:
   Eigen::Matrix3d axes(const Value& value, const std::string& path);
   Pose matrix(const Value& value, const std::string& path);
 
-  std::string contextName_;
+  Text contextName_;
   const JobContext& job_;
   std::vector<ParamProblem> problems_;
 };

@@ -28,8 +28,10 @@ void readLimits(Reader& reader, const Value& value, const std::string& path, Joi
   }
   if (limits == nullptr) {
     if (!joint.endless) {
-      reader.problem(path, "needs \"limits\": [min, max] in " + unit +
-                               (joint.prismatic() ? "" : " or \"endless\": true"));
+      reader.problem(
+          path, text(joint.prismatic() ? "needs \"limits\": [min, max] in %1"
+                                       : "needs \"limits\": [min, max] in %1 or \"endless\": true",
+                     {unit}));
     }
     return;
   }
@@ -50,7 +52,8 @@ void readType(Reader& reader, const Value& value, const std::string& path, Joint
   if (type == "prismatic") {
     joint.type = JointType::Prismatic;
   } else if (type != "revolute" && value.find("type")->isString()) {
-    reader.problem(joinPath(path, "type"), "is neither revolute nor prismatic, but '" + type + "'");
+    reader.problem(joinPath(path, "type"),
+                   wcam::text("is neither revolute nor prismatic, but '%1'", {type}));
   }
 }
 
@@ -83,7 +86,7 @@ Joint readJoint(Reader& reader,
                 const std::vector<Joint>& before) {
   Joint joint;
   if (!value.isObject()) {
-    reader.problem(path, std::string("expected an object, got ") + toString(value.type()));
+    reader.problem(path, wcam::text("expected an object, got %1", {toString(value.type())}));
     return joint;
   }
   reader.knownKeys(
@@ -125,7 +128,7 @@ void readJoints(Reader& reader, const Value& parent, const std::string& path, Ch
   }
   const std::string place = joinPath(path, "joints");
   if (!joints->isArray()) {
-    reader.problem(place, std::string("expected a list, got ") + toString(joints->type()));
+    reader.problem(place, wcam::text("expected a list, got %1", {toString(joints->type())}));
     return;
   }
   for (std::size_t i = 0; i < joints->size(); ++i) {

@@ -88,17 +88,17 @@ double dexterity(const Cell& cell, const JointVector& q) {
 
 JointVector jointSpeedsFromMotors(const Cell& cell, const JointVector& motorRpm) {
   if (motorRpm.size() != cell.jointCount()) {
-    throw Error(ErrorCode::InvalidArgument, "expected " + std::to_string(cell.jointCount()) +
-                                                " motor speeds, got " +
-                                                std::to_string(motorRpm.size()));
+    throw Error(ErrorCode::InvalidArgument,
+                text("expected %1 motor speeds, got %2",
+                     {std::to_string(cell.jointCount()), std::to_string(motorRpm.size())}));
   }
   JointVector speeds(motorRpm.size());
   for (int j = 0; j < cell.jointCount(); ++j) {
     const Joint& joint = cell.joint(j);
     if (!(joint.ratio > 0.0)) {
       throw Error(ErrorCode::InvalidArgument,
-                  "the reduction ratio of joint " + joint.name + " is unknown", "cell " + cell.name,
-                  "add \"ratio\" to the joint in the cell file");
+                  text("the reduction ratio of joint %1 is unknown", {joint.name}),
+                  text("cell %1", {cell.name}), "add \"ratio\" to the joint in the cell file");
     }
     const double turns = motorRpm(j) / 60.0 / joint.ratio;
     speeds(j) = joint.prismatic() ? turns : turns * 2.0 * kPi;

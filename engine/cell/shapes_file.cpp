@@ -52,7 +52,7 @@ public:
 
   std::optional<Shape> read(const Value& value, const std::string& path, const char* frame) {
     if (!value.isObject()) {
-      reading_.problem(path, std::string("expected an object, got ") + toString(value.type()));
+      reading_.problem(path, wcam::text("expected an object, got %1", {toString(value.type())}));
       return std::nullopt;
     }
     good_ = true;
@@ -73,21 +73,21 @@ public:
       readMesh(value, path, shape);
     } else if (!type.empty()) {
       problem(path + ".type",
-              "'" + type + "' is not one of sphere, capsule, cylinder, box and mesh");
+              wcam::text("'%1' is not one of sphere, capsule, cylinder, box and mesh", {type}));
     }
     return good_ ? std::optional<Shape>(std::move(shape)) : std::nullopt;
   }
 
 private:
-  void problem(const std::string& path, const std::string& message) {
+  void problem(const std::string& path, const Text& message) {
     good_ = false;
     reading_.problem(path, message);
   }
 
   void checkFrame(const std::string& path, const std::string& frame) {
     if (std::find(reading_.frames.begin(), reading_.frames.end(), frame) == reading_.frames.end()) {
-      problem(path,
-              "the cell has no frame '" + frame + "'; it has " + joinText(reading_.frames, ", "));
+      problem(path, wcam::text("the cell has no frame '%1'; it has %2",
+                               {frame, joinText(reading_.frames, ", ")}));
     }
   }
 
@@ -142,8 +142,9 @@ private:
     for (const auto& [key, member] : value.asObject()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end() && !key.starts_with("x-")) {
         const auto near = nearestName(key, keys);
-        problem(path + "." + key,
-                "is not known here" + (near ? "; did you mean '" + *near + "'?" : std::string()));
+        problem(path + "." + key, near
+                                      ? wcam::text("is not known here; did you mean '%1'?", {*near})
+                                      : wcam::text("is not known here"));
       }
     }
   }
@@ -213,12 +214,12 @@ private:
                                                    io::ImportOptions{}, Pose::Identity(), context_);
       shape.mesh = std::make_shared<const geometry::TriangleMesh>(part.surface->mesh);
       if (shape.mesh->triangles.empty()) {
-        problem(path + ".file", "the mesh '" + file + "' has no triangles");
+        problem(path + ".file", wcam::text("the mesh '%1' has no triangles", {file}));
       }
     } catch (const CancelledError&) {
       throw;
     } catch (const Error& error) {
-      problem(path + ".file", error.what());
+      problem(path + ".file", error.whatText());
     }
   }
 
@@ -239,7 +240,7 @@ CellShapes readShapes(const Value& file, const ShapeReading& reading, const JobC
     }
     if (!list->isArray()) {
       reading.problem(pathOf(section),
-                      std::string("expected a list of shapes, got ") + toString(list->type()));
+                      wcam::text("expected a list of shapes, got %1", {toString(list->type())}));
       continue;
     }
     for (std::size_t i = 0; i < list->size(); ++i) {

@@ -107,7 +107,7 @@ int changeProject(const Session& session,
                   const project::Command& command) {
   const std::filesystem::path file = pathFromText(session.options.file);
   project::saveProject(project::apply(document, command), file);
-  session.console.say(project::labelOf(command) + ", saved " + pathText(file));
+  session.console.say(project::labelOf(command).str() + ", saved " + pathText(file));
   if (session.options.json) {
     std::fputs(toCanonicalJson(project::toValue(command)).c_str(), stdout);
   }

@@ -26,7 +26,7 @@ void tellRefusedPlugins(const plugin::PluginHost& plugins, const cli::Console& c
     if (report.origin == plugin::PluginOrigin::Requested &&
         report.verdict == plugin::PluginVerdict::Refused) {
       console.complain("camcli: warning: the plugin " + pathText(report.path) +
-                       " is refused: " + report.reason);
+                       " is refused: " + report.reason.str());
     }
   }
 }

@@ -136,16 +136,16 @@ void tellFailures(const Console& console, const std::vector<project::RunFailure>
   std::vector<Told> told;
   for (const project::RunFailure& failure : failures) {
     const std::string text = failure.error.what();
-    const std::string prefix = failure.place + ": ";
+    const std::string prefix = failure.place.str() + ": ";
     const bool placed = text.starts_with(prefix);
     const std::string rest = placed ? text.substr(prefix.size()) : text;
     const auto same = std::find_if(told.begin(), told.end(), [&](const Told& other) {
       return other.rest == rest && placed && !other.places.empty();
     });
     if (same == told.end()) {
-      told.push_back({placed ? failure.place : std::string(), rest, &failure.error});
+      told.push_back({placed ? failure.place.str() : std::string(), rest, &failure.error});
     } else {
-      same->places += ", " + failure.place;
+      same->places += ", " + failure.place.str();
     }
   }
   for (const Told& one : told) {

@@ -247,12 +247,12 @@ int pluginsListVerb(const Session& session) {
                              {"path", pathText(report.path)},
                              {"origin", plugin::toString(report.origin)},
                              {"verdict", plugin::toString(report.verdict)},
-                             {"reason", report.reason},
+                             {"reason", report.reason.str()},
                              {"components", components}}));
     text += std::string(plugin::toString(report.verdict)) + "  " +
             (report.id.empty() ? "?" : report.id) + " " + report.version + names + "\n    " +
             pathText(report.path) +
-            (report.reason.empty() ? "" : "\n    reason: " + report.reason) + "\n";
+            (report.reason.empty() ? "" : "\n    reason: " + report.reason.str()) + "\n";
   }
   if (session.options.json) {
     print(Value::object({{"plugins", list}}));

@@ -15,21 +15,21 @@ namespace wcam::collision::detail {
 
 namespace {
 
-const char* prefixOf(BodyKind kind) {
+Text labelOf(BodyKind kind, const std::string& name) {
   switch (kind) {
     case BodyKind::Torch:
-      return "torch ";
+      return text("torch %1", {name});
     case BodyKind::Robot:
-      return "robot ";
+      return text("robot %1", {name});
     case BodyKind::Positioner:
-      return "positioner ";
+      return text("positioner %1", {name});
     case BodyKind::Obstacle:
-      return "obstacle ";
+      return text("obstacle %1", {name});
     case BodyKind::Substrate:
     case BodyKind::Part:
       break;
   }
-  return "";
+  return name;
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -123,12 +123,12 @@ Scene::Frame Scene::frameOf(const std::string& name) const {
       return {j + 1, Pose::Identity()};
     }
   }
-  throw Error(ErrorCode::ProjectInvalid, "the cell has no frame '" + name + "'",
-              "cell " + cell_.name, "name world, base, a joint, flange, tcp or table");
+  throw Error(ErrorCode::ProjectInvalid, text("the cell has no frame '%1'", {name}),
+              text("cell %1", {cell_.name}), "name world, base, a joint, flange, tcp or table");
 }
 
 void Scene::addItem(
-    Shape shape, BodyKind kind, std::string label, const Frame& frame, const Making& making) {
+    Shape shape, BodyKind kind, Text label, const Frame& frame, const Making& making) {
   Item item;
   item.kind = kind;
   item.label = std::move(label);
@@ -157,7 +157,7 @@ void Scene::addItem(
 
 void Scene::addShapes(const std::vector<Shape>& shapes, BodyKind kind, const Making& making) {
   for (const Shape& shape : shapes) {
-    addItem(shape, kind, prefixOf(kind) + shape.name, frameOf(shape.frame), making);
+    addItem(shape, kind, labelOf(kind, shape.name), frameOf(shape.frame), making);
   }
 }
 

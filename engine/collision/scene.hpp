@@ -23,7 +23,7 @@ using BodyPoses = std::array<Pose, 13>;
 struct Item {
   Shape shape;
   BodyKind kind = BodyKind::Obstacle;
-  std::string label;
+  Text label;
   int body = 0;
   Pose T_body_shape = Pose::Identity();
   Pose T_shape_body = Pose::Identity();
@@ -100,8 +100,7 @@ private:
 
   void addShapes(const std::vector<Shape>& shapes, BodyKind kind, const Making& making);
   void addSubstrate(const toolpath::Substrate& substrate, const Making& making);
-  void addItem(
-      Shape shape, BodyKind kind, std::string label, const Frame& frame, const Making& making);
+  void addItem(Shape shape, BodyKind kind, Text label, const Frame& frame, const Making& making);
   [[nodiscard]] int chainOf(int body) const;
   /// Joined by a single joint.
   [[nodiscard]] bool neighbours(int first, int second) const;

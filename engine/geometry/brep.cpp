@@ -116,12 +116,14 @@ Vec3 limitNormal(const BRepAdaptor_Surface& surface, const Vec2& uv, const Vec2&
   return length > kSingularSine * scale ? toVec3(n / length) : Vec3(Vec3::Zero());
 }
 
+constexpr const char* kNoFace = "face %1 does not exist; the part has %2";
+constexpr const char* kNoEdge = "edge %1 does not exist; the part has %2";
+
 template <class Items>
-const auto& itemAt(const Items& items, int index, const char* what) {
+const auto& itemAt(const Items& items, int index, const char* missing) {
   if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
-    throw Error(ErrorCode::InvalidArgument, std::string(what) + " " + std::to_string(index) +
-                                                " does not exist; the part has " +
-                                                std::to_string(items.size()));
+    throw Error(ErrorCode::InvalidArgument,
+                text(missing, {std::to_string(index), std::to_string(items.size())}));
   }
   return items[static_cast<std::size_t>(index)];
 }
@@ -163,11 +165,11 @@ int Brep::edgeCount() const noexcept {
 }
 
 const BrepFaceInfo& Brep::face(int index) const {
-  return itemAt(impl_->faceInfos, index, "face");
+  return itemAt(impl_->faceInfos, index, kNoFace);
 }
 
 const BrepEdgeInfo& Brep::edge(int index) const {
-  return itemAt(impl_->edgeInfos, index, "edge");
+  return itemAt(impl_->edgeInfos, index, kNoEdge);
 }
 
 struct BrepEvaluator::Impl {
@@ -175,7 +177,7 @@ struct BrepEvaluator::Impl {
       : brep(&b), surfaces(b.impl().faces.size()), curves(b.impl().edges.size()) {}
 
   const BRepAdaptor_Surface& surface(int face) {
-    const TopoDS_Face& shape = itemAt(brep->impl().faces, face, "face");
+    const TopoDS_Face& shape = itemAt(brep->impl().faces, face, kNoFace);
     auto& adaptor = surfaces[static_cast<std::size_t>(face)];
     if (!adaptor) {
       // Unrestricted: a Newton step may leave the face for a moment.
@@ -185,7 +187,7 @@ struct BrepEvaluator::Impl {
   }
 
   const BRepAdaptor_Curve& curve(int edge) {
-    const TopoDS_Edge& shape = itemAt(brep->impl().edges, edge, "edge");
+    const TopoDS_Edge& shape = itemAt(brep->impl().edges, edge, kNoEdge);
     auto& adaptor = curves[static_cast<std::size_t>(edge)];
     if (!adaptor) {
       adaptor = std::make_unique<BRepAdaptor_Curve>(shape);

@@ -145,8 +145,8 @@ PathCut cutAlong(const TriangleMesh& mesh, const std::vector<std::uint32_t>& pat
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i] == 0) {
       throw Error(ErrorCode::InvalidArgument,
-                  "vertices " + std::to_string(path[i]) + " and " + std::to_string(path[i + 1]) +
-                      " share no edge",
+                  text("vertices %1 and %2 share no edge",
+                       {std::to_string(path[i]), std::to_string(path[i + 1])}),
                   "cut along a path", "");
     }
   }

@@ -37,9 +37,9 @@ Mesh toCgal(const TriangleMesh& mesh) {
     if (flat || result.add_face(Vertex(a), Vertex(b), Vertex(c)) == Mesh::null_face()) {
       const Vec3& p = mesh.vertices[a];
       throw Error(ErrorCode::InvalidArgument,
-                  std::string(flat ? "a triangle without area" : "a non-manifold edge or vertex") +
-                      " at " + formatFixed(p.x(), 3) + ", " + formatFixed(p.y(), 3) + ", " +
-                      formatFixed(p.z(), 3),
+                  text(flat ? "a triangle without area at %1, %2, %3"
+                            : "a non-manifold edge or vertex at %1, %2, %3",
+                       {formatFixed(p.x(), 3), formatFixed(p.y(), 3), formatFixed(p.z(), 3)}),
                   kPlace, "repair the mesh, or use the propagated distance");
     }
   }
@@ -56,7 +56,8 @@ struct ExactGeodesics::Impl {
 
   [[nodiscard]] Vertex vertex(std::uint32_t v) const {
     if (v >= mesh.number_of_vertices()) {
-      throw Error(ErrorCode::InvalidArgument, "there is no vertex " + std::to_string(v), kPlace);
+      throw Error(ErrorCode::InvalidArgument, text("there is no vertex %1", {std::to_string(v)}),
+                  kPlace);
     }
     return Vertex(v);
   }

@@ -29,16 +29,16 @@ Formula::Formula(const std::string& text,
     impl_->parser.SetExpr(text);
     impl_->parser.Eval();
   } catch (const mu::Parser::exception_type& error) {
-    std::string names;
-    for (const std::string& variable : variables) {
-      names += variable + ", ";
-    }
-    throw Error(
-        ErrorCode::InvalidArgument,
-        error.GetMsg() +
-            (error.GetPos() >= 0 ? " (position " + std::to_string(error.GetPos() + 1) + ")" : ""),
-        context + " = " + text,
-        "use " + names + "numbers, pi, + - * / ^ and functions like sin, sqrt, exp");
+    const std::string names = joinText(variables, ", ");
+    const std::string where = std::to_string(error.GetPos() + 1);
+    throw Error(ErrorCode::InvalidArgument,
+                error.GetPos() >= 0 ? wcam::text("%1 (position %2)", {error.GetMsg(), where})
+                                    : Text(error.GetMsg()),
+                wcam::text("%1 = %2", {context, text}),
+                names.empty()
+                    ? wcam::text("use numbers, pi, + - * / ^ and functions like sin, sqrt, exp")
+                    : wcam::text("use %1, numbers, pi, + - * / ^ and functions like sin, sqrt, exp",
+                                 {names}));
   }
 }
 

@@ -26,10 +26,10 @@ constexpr double kLeastGrowth = 0.5;
 /// Triangles that are unfolded one beyond the other around the source.
 constexpr std::size_t kSeedDepth = 3;
 
-[[noreturn]] void throwOffMesh(const std::string& what) {
+[[noreturn]] void throwOffMesh(const Text& what) {
   throw Error(ErrorCode::InvalidArgument,
-              "the source of the distance does not lie on the mesh: " + what, "geodesic distance",
-              "give vertices, points and edges of this mesh");
+              text("the source of the distance does not lie on the mesh: %1", {what}),
+              "geodesic distance", "give vertices, points and edges of this mesh");
 }
 
 /// A point of a curve with the curvature vector of the curve there, zero at corners and ends.
@@ -60,7 +60,7 @@ public:
 
   void addVertex(std::uint32_t v) {
     if (v >= mesh_.vertices.size()) {
-      throwOffMesh("vertex " + std::to_string(v) + " does not exist");
+      throwOffMesh(text("vertex %1 does not exist", {std::to_string(v)}));
     }
     seeds_.push_back({v, 0.0, 0.0, true});
   }
@@ -104,7 +104,7 @@ public:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> byStart;
     for (const std::uint32_t h : edges) {
       if (h >= 3 * mesh_.triangles.size()) {
-        throwOffMesh("half-edge " + std::to_string(h) + " does not exist");
+        throwOffMesh(text("half-edge %1 does not exist", {std::to_string(h)}));
       }
       byStart.emplace_back(startOf(h), h);
     }
@@ -152,7 +152,7 @@ private:
 
   void check(const MeshPoint& point) const {
     if (point.triangle >= mesh_.triangles.size()) {
-      throwOffMesh("triangle " + std::to_string(point.triangle) + " does not exist");
+      throwOffMesh(text("triangle %1 does not exist", {std::to_string(point.triangle)}));
     }
     double sum = 0.0;
     for (const double w : point.weights) {
@@ -215,8 +215,8 @@ private:
       }
     }
     if (!found) {
-      throwOffMesh("two consecutive points of curve " + std::to_string(curve) +
-                   " share no triangle");
+      throwOffMesh(
+          text("two consecutive points of curve %1 share no triangle", {std::to_string(curve)}));
     }
   }
 

@@ -142,8 +142,8 @@ public:
       const double t = begin + (end - begin) * i / kProbes;
       if (!value(t).allFinite()) {
         throw Error(ErrorCode::InvalidArgument,
-                    "the formula has no finite value at t = " + formatFixed(t, 6), "guide formula",
-                    "change the formula or its range");
+                    text("the formula has no finite value at t = %1", {formatFixed(t, 6)}),
+                    "guide formula", "change the formula or its range");
       }
     }
   }
@@ -188,9 +188,10 @@ std::shared_ptr<const GuideCurve> guideFromEdge(std::shared_ptr<const Brep> brep
                 "use a polyline or a formula");
   }
   if (edge < 0 || edge >= brep->edgeCount()) {
-    throw Error(ErrorCode::InvalidArgument, "there is no edge " + std::to_string(edge), "guide",
-                "edges are numbered 0 to " + std::to_string(brep->edgeCount() - 1) +
-                    "; `camcli info` lists them");
+    throw Error(ErrorCode::InvalidArgument, text("there is no edge %1", {std::to_string(edge)}),
+                "guide",
+                text("edges are numbered 0 to %1; `camcli info` lists them",
+                     {std::to_string(brep->edgeCount() - 1)}));
   }
   return std::make_shared<EdgeGuide>(std::move(brep), edge, reversed);
 }
@@ -201,9 +202,10 @@ std::shared_ptr<const GuideCurve> guideFromPoints(std::vector<Vec3> points) {
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite() || (i > 0 && points[i] == points[i - 1])) {
-      throw Error(ErrorCode::InputInvalid,
-                  "point " + std::to_string(i + 1) + " repeats the one before it or is not finite",
-                  "guide", "remove the point");
+      throw Error(
+          ErrorCode::InputInvalid,
+          text("point %1 repeats the one before it or is not finite", {std::to_string(i + 1)}),
+          "guide", "remove the point");
     }
   }
   return std::make_shared<SplineGuide>(std::move(points));
@@ -234,7 +236,7 @@ std::shared_ptr<const GuideCurve> guideFromFile(const std::string& file) {
     }
     if (words.size() != 3 || numbers.size() != 3) {
       throw Error(ErrorCode::InputInvalid,
-                  "line " + std::to_string(lineNumber) + " is not three numbers", file,
+                  wcam::text("line %1 is not three numbers", {std::to_string(lineNumber)}), file,
                   "write x y z in mm, one point per line");
     }
     points.emplace_back(numbers[0], numbers[1], numbers[2]);
@@ -242,7 +244,7 @@ std::shared_ptr<const GuideCurve> guideFromFile(const std::string& file) {
   try {
     return guideFromPoints(std::move(points));
   } catch (const Error& error) {
-    throw Error(error.code(), error.message(), file, error.hint());
+    throw Error(error.code(), error.messageText(), file, error.hintText());
   }
 }
 

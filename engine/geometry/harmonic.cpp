@@ -31,15 +31,15 @@ std::vector<double> fixedByVertex(const TriangleMesh& mesh, const std::vector<Fi
     for (const std::uint32_t v : values.vertices) {
       if (v >= field.size()) {
         throw Error(ErrorCode::InvalidArgument,
-                    "there is no vertex " + std::to_string(v) + "; the mesh has " +
-                        std::to_string(field.size()),
+                    text("there is no vertex %1; the mesh has %2",
+                         {std::to_string(v), std::to_string(field.size())}),
                     kPlace);
       }
       if (!std::isnan(field[v]) && field[v] != values.value) {
         const Vec3& p = mesh.vertices[v];
         throw Error(ErrorCode::InvalidArgument,
-                    "two borders with different values share the point " + formatFixed(p.x(), 3) +
-                        ", " + formatFixed(p.y(), 3) + ", " + formatFixed(p.z(), 3),
+                    text("two borders with different values share the point %1, %2, %3",
+                         {formatFixed(p.x(), 3), formatFixed(p.y(), 3), formatFixed(p.z(), 3)}),
                     kPlace, "choose borders that do not touch, or give them the same value");
       }
       field[v] = values.value;
@@ -60,8 +60,8 @@ void checkConductivity(const TriangleMesh& mesh, const std::vector<Conductivity>
   }
   if (conductivity.size() != mesh.triangles.size()) {
     throw Error(ErrorCode::InvalidArgument,
-                "conductivity is given for " + std::to_string(conductivity.size()) + " of " +
-                    std::to_string(mesh.triangles.size()) + " triangles",
+                text("conductivity is given for %1 of %2 triangles",
+                     {std::to_string(conductivity.size()), std::to_string(mesh.triangles.size())}),
                 kPlace, "give one per triangle or none");
   }
   for (std::size_t t = 0; t < conductivity.size(); ++t) {
@@ -69,8 +69,8 @@ void checkConductivity(const TriangleMesh& mesh, const std::vector<Conductivity>
     if (!(c.weight > 0.0) || !std::isfinite(c.weight) || !(c.along > 0.0) ||
         !std::isfinite(c.along) || !c.direction.allFinite()) {
       throw Error(ErrorCode::InvalidArgument,
-                  "the conductivity of triangle " + std::to_string(t) + " is not positive", kPlace,
-                  "weights must be finite and greater than zero");
+                  text("the conductivity of triangle %1 is not positive", {std::to_string(t)}),
+                  kPlace, "weights must be finite and greater than zero");
     }
   }
 }

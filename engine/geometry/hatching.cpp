@@ -59,7 +59,7 @@ std::vector<HatchSegment> hatchRegion(const Region2& region,
                                       double angle,
                                       double spacing,
                                       double phase) {
-  detail::checkFinite(region.loops, "loop");
+  detail::checkFinite(region.loops, "loop %1, point %2");
   if (!(spacing > 0.0) || !std::isfinite(spacing) || !std::isfinite(angle) ||
       !std::isfinite(phase)) {
     throw Error(ErrorCode::InvalidArgument, "spacing, angle or phase is no usable number",

@@ -236,7 +236,8 @@ std::vector<double> HeatSolver::distance(const std::vector<std::uint32_t>& sourc
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(n);
   for (const std::uint32_t v : sourceVertices) {
     if (v >= mesh.vertices.size()) {
-      throw Error(ErrorCode::InvalidArgument, "there is no vertex " + std::to_string(v), kPlace);
+      throw Error(ErrorCode::InvalidArgument, text("there is no vertex %1", {std::to_string(v)}),
+                  kPlace);
     }
     source[v] = true;
     delta[v] = 1.0;

@@ -416,7 +416,7 @@ private:
 }  // namespace
 
 std::vector<AxisBranch> medialAxis(const Region2& region, const MedialAxisOptions& options) {
-  detail::checkFinite(region.loops, "loop");
+  detail::checkFinite(region.loops, "loop %1, point %2");
   if (!(options.tolerance > 0.0) || !(options.leastTurn >= 0.0)) {
     throw Error(ErrorCode::InvalidArgument, "tolerance or least turn is out of range",
                 "medial axis", "give a tolerance above 0 mm and a turn from 0");

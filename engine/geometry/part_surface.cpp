@@ -26,8 +26,8 @@ std::vector<bool> faceFlags(const PartSurface& surface, const std::vector<int>& 
   for (const int face : faces) {
     if (face < 0 || face >= count) {
       throw Error(ErrorCode::InvalidArgument,
-                  "face " + std::to_string(face) + " does not exist; the part has faces 0 to " +
-                      std::to_string(count - 1),
+                  text("face %1 does not exist; the part has faces 0 to %2",
+                       {std::to_string(face), std::to_string(count - 1)}),
                   "face selection");
     }
     wanted[static_cast<std::size_t>(face)] = true;

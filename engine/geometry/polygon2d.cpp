@@ -126,12 +126,12 @@ Polyline2 IntegerFrame::toPolyline(const ClipperLib::Path& path) const {
   return points;
 }
 
-void checkFinite(std::span<const Polyline2> loops, const char* what) {
+void checkFinite(std::span<const Polyline2> loops, const char* place) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     for (std::size_t i = 0; i < loops[l].size(); ++i) {
       if (!loops[l][i].allFinite()) {
         throw Error(ErrorCode::InvalidArgument, "a coordinate is no number",
-                    std::string(what) + " " + std::to_string(l) + ", point " + std::to_string(i),
+                    text(place, {std::to_string(l), std::to_string(i)}),
                     "correct the geometry that the outline comes from");
       }
     }
@@ -298,7 +298,7 @@ Region2 simplified(const Region2& region, double tolerance) {
 }
 
 Region2 makeRegion(std::span<const Polyline2> loops, LoopRule rule, double tolerance) {
-  detail::checkFinite(loops, "loop");
+  detail::checkFinite(loops, "loop %1, point %2");
   if (!(tolerance >= 0.0)) {
     throw Error(ErrorCode::InvalidArgument, "the tolerance is negative or no number", "region");
   }
@@ -346,7 +346,7 @@ namespace {
 Region2 combine(const Region2& a, const Region2& b, ClipperLib::ClipType operation) {
   std::vector<Polyline2> all = a.loops;
   all.insert(all.end(), b.loops.begin(), b.loops.end());
-  detail::checkFinite(all, "loop");
+  detail::checkFinite(all, "loop %1, point %2");
   const Box2 box = detail::boundsOf(all);
   Region2 region;
   if (!(box.diagonal() > 0.0)) {

@@ -36,8 +36,9 @@ private:
 /// Below this Clipper needs no products of 128 bits.
 inline constexpr int kClipperBits = 29;
 
+/// @param place pattern of the place of a point: %1 the loop, %2 its point
 /// @throws Error(InvalidArgument) naming the first coordinate that is no number
-void checkFinite(std::span<const Polyline2> loops, const char* what);
+void checkFinite(std::span<const Polyline2> loops, const char* place);
 
 Box2 boundsOf(std::span<const Polyline2> loops);
 

@@ -260,7 +260,7 @@ Region2 moved(const Region2& region, double distance, const Turns& turns, double
 }
 
 void checkOptions(double distance, const OffsetOptions& options) {
-  const auto refuse = [](const char* what, const char* hint) {
+  const auto refuse = [](const Text& what, const Text& hint) {
     throw Error(ErrorCode::InvalidArgument, what, "offset", hint);
   };
   if (!std::isfinite(distance)) {
@@ -282,7 +282,7 @@ constexpr double kCleanShare = 0.1;
 
 Region2 offsetRegion(const Region2& region, double distance, const OffsetOptions& options) {
   checkOptions(distance, options);
-  detail::checkFinite(region.loops, "loop");
+  detail::checkFinite(region.loops, "loop %1, point %2");
   const Region2 simple = simplified(region, kSimplifyShare * options.tolerance);
   if (distance == 0.0 || simple.empty()) {
     return simple;
@@ -301,7 +301,7 @@ std::vector<Region2> nestedInsets(const Region2& region,
     throw Error(ErrorCode::InvalidArgument, "the step between insets must be above 0", "insets",
                 "give a step in mm");
   }
-  detail::checkFinite(region.loops, "loop");
+  detail::checkFinite(region.loops, "loop %1, point %2");
   std::vector<Region2> insets;
   Region2 current = simplified(region, kSimplifyShare * options.tolerance);
   // Nothing is left beyond half the smaller side of the bounds.
@@ -365,7 +365,7 @@ Region2 strokeArea(std::span<const Stroke2> strokes, double tolerance) {
   for (const Stroke2& stroke : strokes) {
     all.push_back(stroke.points);
   }
-  detail::checkFinite(all, "stroke");
+  detail::checkFinite(all, "stroke %1, point %2");
   std::vector<Polyline2> pieces;
   for (const Stroke2& stroke : strokes) {
     for (const double width : stroke.widths) {

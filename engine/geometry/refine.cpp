@@ -62,10 +62,10 @@ double triangleEstimate(const TriangleMesh& mesh, double maxEdge) {
   } while (triangleEstimate(mesh, working) > 0.25 * kMostTriangles &&
            working < mesh.bounds().diagonal());
   throw Error(ErrorCode::InvalidArgument,
-              "an edge length of " + formatFixed(maxEdge, 6) +
-                  " mm would give more than 20 million triangles",
+              text("an edge length of %1 mm would give more than 20 million triangles",
+                   {formatFixed(maxEdge, 6)}),
               "surface refinement",
-              "use an edge length of " + formatFixed(working, 6) + " mm or more");
+              text("use an edge length of %1 mm or more", {formatFixed(working, 6)}));
 }
 
 /// Marks vertices at non-manifold edges and vertices with several fans of triangles.

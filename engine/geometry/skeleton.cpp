@@ -262,8 +262,8 @@ std::shared_ptr<const GuideCurve> automaticGuide(const PartSurface& surface,
   const Lines lines = linesOf(surface.mesh, surface.halfEdges, up, context);
   if (lines.topology.branches.size() != 1) {
     throw Error(ErrorCode::JobFailed,
-                "the part branches: its axis has " +
-                    std::to_string(lines.topology.branches.size()) + " pieces",
+                text("the part branches: its axis has %1 pieces",
+                     {std::to_string(lines.topology.branches.size())}),
                 "automatic guide", "draw a guide yourself, or slice the part as a branching one");
   }
   if (lines.ends.lower.size() != 1) {

@@ -35,7 +35,7 @@ constexpr double kEdge = 4.0;
 
 enum class Colour : signed char { Rim = -1, Outer = 0, Inner = 1 };
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse(const Text& why) {
   throw Error(ErrorCode::JobFailed, why, "working surface of a solid wall",
               "take the whole surface, or pick the faces of the working surface");
 }

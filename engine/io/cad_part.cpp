@@ -150,28 +150,29 @@ TopoDS_Compound compoundOf(const CadModel& model) {
   return compound;
 }
 
-std::string contentText(const TopoDS_Shape& shape) {
+Text contentText(const TopoDS_Shape& shape) {
   const std::array<std::pair<TopAbs_ShapeEnum, const char*>, 3> kinds{
-      {{TopAbs_WIRE, "wires"}, {TopAbs_EDGE, "edges"}, {TopAbs_VERTEX, "points"}}};
-  std::string text;
+      {{TopAbs_WIRE, "%1 wires"}, {TopAbs_EDGE, "%1 edges"}, {TopAbs_VERTEX, "%1 points"}}};
+  std::vector<Text> texts;
   for (const auto& [type, name] : kinds) {
-    text += (text.empty() ? "" : ", ") + std::to_string(countOf(shape, type)) + " " + name;
+    texts.push_back(text(name, {std::to_string(countOf(shape, type))}));
   }
-  return text;
+  return joinTexts(texts, ", ");
 }
 
 void requireFaces(const TopoDS_Shape& shape, const ImportJob& job, const OcctSession& session) {
   if (countOf(shape, TopAbs_FACE) == 0) {
-    throw Error(ErrorCode::InputInvalid,
-                "the file has no surface; it has " + contentText(shape) + session.messageTail(),
-                job.fileText, "export the part as a solid or as surfaces");
+    throw Error(
+        ErrorCode::InputInvalid,
+        text("the file has no surface; it has %1%2", {contentText(shape), session.messageTail()}),
+        job.fileText, "export the part as a solid or as surfaces");
   }
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
     if (BRep_Tool::Surface(TopoDS::Face(faces.FindKey(i))).IsNull()) {
       throw Error(ErrorCode::InputInvalid,
-                  "face " + std::to_string(i - 1) + " has triangles but no exact surface",
+                  text("face %1 has triangles but no exact surface", {std::to_string(i - 1)}),
                   job.fileText, "export exact geometry, or export the part as STL");
     }
   }
@@ -183,8 +184,8 @@ void requireFinite(const geometry::Brep::Impl& brep, const ImportJob& job) {
     for (const double bound : brep.faceInfos[f].uvBounds) {
       if (Precision::IsInfinite(bound) || bound != bound) {
         throw Error(ErrorCode::InputInvalid,
-                    "face " + std::to_string(f) + " (" + brep.faceInfos[f].surfaceType +
-                        ") has no border and is infinite",
+                    text("face %1 (%2) has no border and is infinite",
+                         {std::to_string(f), brep.faceInfos[f].surfaceType}),
                     job.fileText, "trim or remove this face in the CAD system");
       }
     }
@@ -245,10 +246,10 @@ TopoDS_Shape sew(const TopoDS_Shape& shape,
     }
   }
   model.named.insert(model.named.end(), renamed.begin(), renamed.end());
-  addCounted(
-      context, Severity::Information, "import.sewn",
-      static_cast<std::size_t>(sewing.NbContigousEdges()),
-      std::to_string(sewing.NbContigousEdges()) + " edges of faces without connection were joined");
+  addCounted(context, Severity::Information, "import.sewn",
+             static_cast<std::size_t>(sewing.NbContigousEdges()),
+             text("%1 edges of faces without connection were joined",
+                  {std::to_string(sewing.NbContigousEdges())}));
   return result;
 }
 
@@ -343,21 +344,20 @@ void orientFaces(CadMesh& cad,
   }
   halfEdges = HalfEdges(cad.mesh);
   addCounted(context, Severity::Information, "import.reoriented", turnedFaces,
-             std::to_string(turnedFaces) +
-                 " faces were turned so that all normals agree, the first at " +
-                 positionText(orientation.first) + " mm");
+             text("%1 faces were turned so that all normals agree, the first at %2 mm",
+                  {std::to_string(turnedFaces), positionText(orientation.first)}));
 }
 
 void tellReaderFindings(const CadMesh& cad, const OcctSession& session, const JobContext& context) {
   if (!cad.unmeshedFaces.empty()) {
-    addCounted(context, Severity::Warning, "import.face_not_meshed", cad.unmeshedFaces.size(),
-               std::to_string(cad.unmeshedFaces.size()) +
-                   " faces could not be tessellated and are missing, the first is face " +
-                   std::to_string(cad.unmeshedFaces.front()),
-               "check these faces in the CAD system");
+    addCounted(
+        context, Severity::Warning, "import.face_not_meshed", cad.unmeshedFaces.size(),
+        text("%1 faces could not be tessellated and are missing, the first is face %2",
+             {std::to_string(cad.unmeshedFaces.size()), std::to_string(cad.unmeshedFaces.front())}),
+        "check these faces in the CAD system");
   }
   addCounted(context, Severity::Information, "import.reader_message", session.messages().size(),
-             "the CAD reader reports" + session.messageTail(),
+             text("the CAD reader reports%1", {session.messageTail()}),
              "check the part against the CAD system");
 }
 
@@ -399,8 +399,8 @@ geometry::PartSurface build(std::string_view bytes,
                 job.options.angularTolerance.value(), context.portion(0.7, 0.95, "Tessellating"));
   if (cad.mesh.triangles.empty()) {
     throw Error(ErrorCode::InputInvalid,
-                "none of the " + std::to_string(brep->faces.size()) +
-                    " faces could be tessellated" + session.messageTail(),
+                text("none of the %1 faces could be tessellated%2",
+                     {std::to_string(brep->faces.size()), session.messageTail()}),
                 job.fileText, "check the part in the CAD system and export it again");
   }
   geometry::PartSurface surface;

@@ -85,7 +85,7 @@ public:
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       throw Error(ErrorCode::JobFailed,
-                  std::string("the CAD worker cannot be started: ") + std::strerror(error),
+                  text("the CAD worker cannot be started: %1", {std::strerror(error)}),
                   pathText(program));
     }
   }
@@ -181,7 +181,7 @@ void receive(int fd, Answer& answer, const JobContext& context) {
 
 [[noreturn]] void workerDied(int status, const ImportJob& job, const JobContext& context) {
   context.check();
-  const char* hint = "the file is damaged; export the part again";
+  const Text hint = text("the file is damaged; export the part again");
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGINT || signal == SIGTERM) {
     throw CancelledError();  // sent to all programs of the terminal
@@ -191,8 +191,9 @@ void receive(int fd, Answer& answer, const JobContext& context) {
                 job.fileText, hint);
   }
   throw Error(ErrorCode::InputInvalid,
-              "the CAD library broke down on this file" +
-                  (signal != 0 ? " (signal " + std::to_string(signal) + ")" : std::string()),
+              signal != 0 ? text("the CAD library broke down on this file (signal %1)",
+                                 {std::to_string(signal)})
+                          : text("the CAD library broke down on this file"),
               job.fileText, hint);
 }
 
@@ -210,7 +211,7 @@ geometry::PartSurface buildCadPartApart(std::string_view bytes,
   context.check();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw Error(ErrorCode::JobFailed, std::string("no pipe: ") + std::strerror(errno));
+    throw Error(ErrorCode::JobFailed, text("no pipe: %1", {std::strerror(errno)}));
   }
   const Descriptor readEnd(ends[0]);
   Descriptor writeEnd(ends[1]);

@@ -211,17 +211,16 @@ private:
                              const char* format,
                              const OcctSession& session) {
   throw Error(ErrorCode::InputInvalid,
-              std::string("this is no readable ") + format + " file" + session.messageTail(),
+              text("this is no readable %1 file%2", {format, session.messageTail()}),
               pathText(file), "the file is damaged or cut off; export it again");
 }
 
 [[noreturn]] void transferFailed(const std::filesystem::path& file,
                                  const char* format,
                                  const OcctSession& session) {
-  throw Error(
-      ErrorCode::InputInvalid,
-      std::string("the ") + format + " file has no shape that can be read" + session.messageTail(),
-      pathText(file), "check the part in the CAD system and export it again");
+  throw Error(ErrorCode::InputInvalid,
+              text("the %1 file has no shape that can be read%2", {format, session.messageTail()}),
+              pathText(file), "check the part in the CAD system and export it again");
 }
 
 /// Tells of entities whose parameters could not be read. Many files have some (names without
@@ -242,8 +241,8 @@ void tellDamagedEntities(const char* format,
   if (count > 0) {
     context.add({Severity::Warning,
                  "import.damaged_entities",
-                 std::to_string(count) + " entities of the " + format +
-                     " file break its rules, the first is " + first,
+                 text("%1 entities of the %2 file break its rules, the first is %3",
+                      {std::to_string(count), format, first}),
                  "check that the part is complete",
                  {},
                  {{"count", static_cast<double>(count)}}});

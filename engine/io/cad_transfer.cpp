@@ -40,6 +40,15 @@ public:
     bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
 
+  void value(const Text& words) {
+    text(words.pattern());
+    put(words.foreign());
+    put(words.arguments().size());
+    for (const Text& argument : words.arguments()) {
+      value(argument);
+    }
+  }
+
   std::string take() { return std::move(bytes_); }
 
 private:
@@ -68,6 +77,21 @@ public:
     return {take(size), size};
   }
 
+  /// Texts are nested a few times; deeper ones are damaged.
+  Text value(int depth = 0) {
+    std::string pattern = text();
+    const bool foreign = get<char>() != 0;
+    const auto count = get<std::size_t>();
+    if (depth > kMaxDepth || count > bytes_.size()) {
+      fail();
+    }
+    std::vector<Text> arguments;
+    for (std::size_t i = 0; i < count; ++i) {
+      arguments.push_back(value(depth + 1));
+    }
+    return foreign ? Text(std::move(pattern)) : Text(std::move(pattern), std::move(arguments));
+  }
+
   template <class T>
   void items(std::vector<T>& values) {
     const auto count = get<std::size_t>();
@@ -79,6 +103,8 @@ public:
   }
 
 private:
+  static constexpr int kMaxDepth = 64;
+
   [[noreturn]] static void fail() {
     throw Error(ErrorCode::Internal, "the answer of the CAD worker is damaged");
   }
@@ -152,6 +178,8 @@ void transfer(Archive& archive, ImportReport& report) {
 
 class Saver {
 public:
+  void operator()(Text& value) { writer.value(value); }
+
   void operator()(std::string& value) { writer.text(value); }
 
   template <class T>
@@ -177,6 +205,8 @@ public:
 class Loader {
 public:
   explicit Loader(std::string_view bytes) : reader(bytes) {}
+
+  void operator()(Text& value) { value = reader.value(); }
 
   void operator()(std::string& value) { value = reader.text(); }
 
@@ -329,18 +359,18 @@ geometry::PartSurface decodePart(std::string_view bytes,
 std::string encodeError(const Error& error) {
   ByteWriter writer;
   writer.put(error.code());
-  writer.text(error.message());
-  writer.text(error.context());
-  writer.text(error.hint());
+  writer.value(error.messageText());
+  writer.value(error.contextText());
+  writer.value(error.hintText());
   return writer.take();
 }
 
 Error decodeError(std::string_view bytes) {
   ByteReader reader(bytes);
   const auto code = reader.get<ErrorCode>();
-  const std::string message = reader.text();
-  const std::string context = reader.text();
-  return {code, message, context, reader.text()};
+  Text message = reader.value();
+  Text context = reader.value();
+  return {code, std::move(message), std::move(context), reader.value()};
 }
 
 std::string encodeProgress(double fraction, const std::string& label) {

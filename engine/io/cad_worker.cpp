@@ -100,11 +100,11 @@ int runCadWorker(const char* request) {
                            pathText(decodeRequest(request).file),
                            "the file is damaged, or the chord tolerance is too small for it")));
   } catch (const std::exception& error) {
-    send(FrameKind::Failure,
-         encodeError(Error(ErrorCode::InputInvalid,
-                           std::string("the CAD library fails on this file: ") + error.what(),
-                           pathText(decodeRequest(request).file),
-                           "the file is damaged; export the part again")));
+    send(
+        FrameKind::Failure,
+        encodeError(Error(
+            ErrorCode::InputInvalid, text("the CAD library fails on this file: %1", {error.what()}),
+            pathText(decodeRequest(request).file), "the file is damaged; export the part again")));
   }
   return 1;
 }

@@ -35,8 +35,8 @@ void writeStep(const std::vector<NamedShape>& shapes, const std::filesystem::pat
     writer.SetColorMode(Standard_True);
     if (!writer.Transfer(document, STEPControl_AsIs) ||
         writer.Write(fileText.c_str()) != IFSelect_RetDone) {
-      throw Error(ErrorCode::OutputConflict, "cannot be written" + session.messageTail(), fileText,
-                  "check the folder and its permissions");
+      throw Error(ErrorCode::OutputConflict, text("cannot be written%1", {session.messageTail()}),
+                  fileText, "check the folder and its permissions");
     }
   });
 }

@@ -20,16 +20,18 @@ std::size_t regularFileSize(const std::filesystem::path& file) {
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) {
     const bool missing = status.type() == std::filesystem::file_type::not_found;
-    throw Error(ErrorCode::InputNotFound,
-                missing ? "the file does not exist" : "cannot be read: " + error.message(),
-                pathText(file), "check the path and the permissions");
+    throw Error(
+        ErrorCode::InputNotFound,
+        missing ? text("the file does not exist") : text("cannot be read: %1", {error.message()}),
+        pathText(file), "check the path and the permissions");
   }
   if (!std::filesystem::is_regular_file(status)) {
     throw Error(ErrorCode::InputInvalid, "is a folder or a device, not a file", pathText(file));
   }
   const auto size = std::filesystem::file_size(file, error);
   if (error) {
-    throw Error(ErrorCode::InputNotFound, "cannot be read: " + error.message(), pathText(file));
+    throw Error(ErrorCode::InputNotFound, text("cannot be read: %1", {error.message()}),
+                pathText(file));
   }
   if (size == 0) {
     throw Error(ErrorCode::InputInvalid, "the file is empty", pathText(file),

@@ -137,10 +137,9 @@ FileFormat detectFormat(const std::filesystem::path& file, std::string_view byte
                 "parts can be read from STEP, IGES, BREP, STL, OBJ, PLY, 3MF and wsurf files");
   }
   if (hasSignature(*extension)) {
-    throw Error(
-        ErrorCode::InputInvalid,
-        std::string("is not a ") + toString(*extension) + " file: it does not start like one",
-        pathText(file), "the file is damaged or has the wrong extension");
+    throw Error(ErrorCode::InputInvalid,
+                text("is not a %1 file: it does not start like one", {toString(*extension)}),
+                pathText(file), "the file is damaged or has the wrong extension");
   }
   return *extension;
 }

@@ -48,7 +48,7 @@ public:
     }
     for (const auto& [key, item] : value.asObject()) {
       if (keys.count(key) == 0) {
-        fail("has an unknown key \"" + key + "\"");
+        fail(wcam::text("has an unknown key \"%1\"", {key}));
       }
     }
   }
@@ -58,7 +58,7 @@ public:
   [[nodiscard]] const Value& at(const std::string& key) const {
     const Value* item = value_.find(key);
     if (item == nullptr) {
-      fail("lacks \"" + key + "\"");
+      fail(wcam::text("lacks \"%1\"", {key}));
     }
     return *item;
   }
@@ -69,7 +69,7 @@ public:
       return formatReal(item.asReal());
     }
     if (!item.isString()) {
-      fail("needs a text for \"" + key + "\"");
+      fail(wcam::text("needs a text for \"%1\"", {key}));
     }
     return item.asString();
   }
@@ -80,7 +80,7 @@ public:
       return std::nullopt;
     }
     if (!item->isBool()) {
-      fail("needs true or false for \"" + key + "\"");
+      fail(wcam::text("needs true or false for \"%1\"", {key}));
     }
     return item->asBool();
   }
@@ -94,25 +94,25 @@ public:
   [[nodiscard]] std::array<double, 2> range(const std::string& key) const {
     const Value& item = at(key);
     if (!item.isArray() || item.size() != 2) {
-      fail("needs two numbers for \"" + key + "\"");
+      fail(wcam::text("needs two numbers for \"%1\"", {key}));
     }
     std::array<double, 2> range{};
     for (std::size_t i = 0; i < 2; ++i) {
       const Value& end = item.asArray()[i];
       if (!end.isNumber() && !end.isString()) {
-        fail("needs numbers or formulas for \"" + key + "\"");
+        fail(wcam::text("needs numbers or formulas for \"%1\"", {key}));
       }
       range[i] =
           end.isNumber() ? end.asReal() : makeFormula(end.asString(), {}, place_ + "." + key)();
     }
     if (!(range[0] < range[1]) || !std::isfinite(range[1] - range[0])) {
-      fail("needs an ascending range for \"" + key + "\"");
+      fail(wcam::text("needs an ascending range for \"%1\"", {key}));
     }
     return range;
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ErrorCode::InputInvalid, "the description " + what, place_,
+  [[noreturn]] void fail(const Text& what) const {
+    throw Error(ErrorCode::InputInvalid, wcam::text("the description %1", {what}), place_,
                 "see the page on part formats");
   }
 
@@ -123,7 +123,8 @@ private:
     try {
       return Formula(text, variables, place);
     } catch (const Error& error) {
-      throw Error(ErrorCode::InputInvalid, error.message(), error.context(), error.hint());
+      throw Error(ErrorCode::InputInvalid, error.messageText(), error.contextText(),
+                  error.hintText());
     }
   }
 
@@ -224,7 +225,8 @@ public:
     const CurveFrame frame = geometry::frenetFrame(guide_.evaluate(t), &valid);
     if (!valid) {
       throw Error(ErrorCode::InputInvalid,
-                  "the guide is straight at t = " + formatFixed(t, 6) + " and has no Frenet frame",
+                  wcam::text("the guide is straight at t = %1 and has no Frenet frame",
+                             {formatFixed(t, 6)}),
                   place_, "write \"frame\": \"minimal\"");
     }
     return frame;
@@ -263,8 +265,8 @@ FormulaShape readTube(const Value& value, const std::string& place, const JobCon
         {guideSection.text("x"), guideSection.text("y"), guideSection.text("z")}, range[0],
         range[1]);
   } catch (const Error& error) {
-    throw Error(ErrorCode::InputInvalid, error.message(), guidePlace + ", " + error.context(),
-                error.hint());
+    throw Error(ErrorCode::InputInvalid, error.messageText(),
+                wcam::text("%1, %2", {guidePlace, error.contextText()}), error.hintText());
   }
   const Formula radius = section.formula("radius", {"t"});
   const std::string frame = value.contains("frame") ? section.text("frame") : "minimal";
@@ -277,7 +279,7 @@ FormulaShape readTube(const Value& value, const std::string& place, const JobCon
     const double r = radius(t);
     if (!(r > 0.0)) {
       throw Error(ErrorCode::InputInvalid,
-                  "the radius is " + formatFixed(r, 6) + " at t = " + formatFixed(t, 6),
+                  wcam::text("the radius is %1 at t = %2", {formatFixed(r, 6), formatFixed(t, 6)}),
                   place + ".radius", "the radius must be positive along the whole guide");
     }
     if (t != at.t) {
@@ -285,10 +287,12 @@ FormulaShape readTube(const Value& value, const std::string& place, const JobCon
       const double speed2 = g.d1.squaredNorm();
       const double bend = g.d1.cross(g.d2).norm() / (speed2 * std::sqrt(speed2));
       if (!(speed2 > 0.0) || !(bend * r < 1.0)) {
-        throw Error(ErrorCode::InputInvalid,
-                    "the tube folds at t = " + formatFixed(t, 6) +
-                        ": its radius reaches the guide's radius of curvature",
-                    place, "use a smaller radius or a straighter guide");
+        throw Error(
+            ErrorCode::InputInvalid,
+            wcam::text(
+                "the tube folds at t = %1: its radius reaches the guide's radius of curvature",
+                {formatFixed(t, 6)}),
+            place, "use a smaller radius or a straighter guide");
       }
       const CurveFrame f = frames.at(t);
       at = {t, g.p, f.normal, f.binormal};
@@ -368,11 +372,12 @@ std::vector<ProfilePiece> profilePieces(const Section& section) {
 Vec3 profilePoint(const ProfilePiece& piece, double z, double size) {
   const double r = piece.radius(z);
   if (!(r >= -kOnAxis * size) || !std::isfinite(r)) {
-    throw Error(ErrorCode::InputInvalid,
-                "the radius is " +
-                    (std::isfinite(r) ? formatFixed(r, 6) : std::string("not a number")) +
-                    " at z = " + formatFixed(z, 6),
-                piece.place, "the radius must not be negative");
+    throw Error(
+        ErrorCode::InputInvalid,
+        std::isfinite(r)
+            ? wcam::text("the radius is %1 at z = %2", {formatFixed(r, 6), formatFixed(z, 6)})
+            : wcam::text("the radius is not a number at z = %1", {formatFixed(z, 6)}),
+        piece.place, "the radius must not be negative");
   }
   return {r <= kOnAxis * size ? 0.0 : r, 0.0, z};
 }

@@ -35,8 +35,8 @@ constexpr std::array<double, 2> kProbes = {0.5, 0.27};
 
 [[noreturn]] void notSmooth(const std::string& place, double deviation) {
   throw Error(ErrorCode::InputInvalid,
-              "the surface cannot be met exactly: " + std::to_string(kMostIntervals) +
-                  " spans leave a distance of " + formatFixed(deviation, 9) + " mm",
+              text("the surface cannot be met exactly: %1 spans leave a distance of %2 mm",
+                   {std::to_string(kMostIntervals), formatFixed(deviation, 9)}),
               place, "split the range where the formula has a corner or a vertical tangent");
 }
 
@@ -105,8 +105,8 @@ double siteAt(const std::array<double, 2>& range, double i, int n) {
 
 Vec3 finite(const Vec3& p, const std::string& where, const std::string& place) {
   if (!p.allFinite()) {
-    throw Error(ErrorCode::InputInvalid, "the formula has no finite value at " + where, place,
-                "change the formula or its range");
+    throw Error(ErrorCode::InputInvalid, text("the formula has no finite value at %1", {where}),
+                place, "change the formula or its range");
   }
   return p;
 }
@@ -195,8 +195,8 @@ private:
     const auto differs = [&](const Eigen::VectorXd& gap, const char* name) {
       if (gap.lpNorm<Eigen::Infinity>() > kClosed * size_) {
         throw Error(ErrorCode::InputInvalid,
-                    std::string("the surface is not closed in ") + name + ": its ends are " +
-                        formatFixed(gap.lpNorm<Eigen::Infinity>(), 9) + " mm apart",
+                    text("the surface is not closed in %1: its ends are %2 mm apart",
+                         {name, formatFixed(gap.lpNorm<Eigen::Infinity>(), 9)}),
                     place_, "correct the range, or do not declare it as closed");
       }
     };

@@ -58,9 +58,10 @@ bool isCad(FileFormat format) {
 
 RawMesh readStl(std::string_view bytes, const ImportJob& job, const JobContext& context) {
   ParsedMesh parsed = parseStl(bytes, job.fileText, context);
-  addCounted(context, Severity::Warning, "import.trailing_bytes", parsed.trailingBytes,
-             std::to_string(parsed.trailingBytes) + " bytes after the last triangle are ignored",
-             "check that the part is complete");
+  addCounted(
+      context, Severity::Warning, "import.trailing_bytes", parsed.trailingBytes,
+      text("%1 bytes after the last triangle are ignored", {std::to_string(parsed.trailingBytes)}),
+      "check that the part is complete");
   addCounted(context, Severity::Warning, "import.end_missing", parsed.endMissing ? 1 : 0,
              "the file ends without its last line and may be cut off",
              "check that the part is complete");

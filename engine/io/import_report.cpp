@@ -90,9 +90,9 @@ void addOpenFinding(const ImportReport& report, const JobContext& context) {
       [](const BorderLoop& a, const BorderLoop& b) { return a.length < b.length; });
   context.add({Severity::Information,
                "import.open_surface",
-               "the surface is open: " + std::to_string(report.borders.size()) +
-                   " border loops, the longest " + formatFixed(longest->length, 3) + " mm from " +
-                   positionText(longest->start),
+               text("the surface is open: %1 border loops, the longest %2 mm from %3",
+                    {std::to_string(report.borders.size()), formatFixed(longest->length, 3),
+                     positionText(longest->start)}),
                {},
                {},
                {{"border_loops", static_cast<double>(report.borders.size())},
@@ -106,9 +106,9 @@ void addNonManifoldFinding(const PartSurface& surface,
   const Vec3 p = 0.5 * (surface.mesh.vertices[v[0]] + surface.mesh.vertices[v[1]]);
   context.add({Severity::Warning,
                "import.non_manifold",
-               std::to_string(report.nonManifoldEdges) +
-                   " edges do not have one triangle on each side, the first at " + positionText(p) +
-                   " mm; contours may break there",
+               text("%1 edges do not have one triangle on each side, the first at %2 mm; contours "
+                    "may break there",
+                    {std::to_string(report.nonManifoldEdges), positionText(p)}),
                "separate the bodies that touch along an edge",
                {},
                {{"edges", static_cast<double>(report.nonManifoldEdges)},
@@ -148,8 +148,8 @@ void addCounted(const JobContext& context,
                 Severity severity,
                 const char* code,
                 std::size_t count,
-                const std::string& message,
-                const std::string& remedy) {
+                const Text& message,
+                const Text& remedy) {
   if (count > 0) {
     context.add({severity, code, message, remedy, {}, {{"count", static_cast<double>(count)}}});
   }
@@ -178,7 +178,7 @@ Value ImportReport::toValue() const {
   Value value = Value::object({{"file", file},
                                {"format", format},
                                {"unit", unit},
-                               {"unit_reason", unitReason},
+                               {"unit_reason", unitReason.str()},
                                {"mm_per_unit", millimetresPerUnit},
                                {"bodies", bodiesValue(bodies)},
                                {"faces", faces},

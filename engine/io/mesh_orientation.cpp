@@ -108,10 +108,11 @@ private:
     if (!forest_.relate(nodeOf(h / 3), nodeOf(g / 3), opposite)) {
       const Vec3& p = mesh_.vertices[mesh_.triangles[h / 3][h % 3]];
       const Vec3& q = mesh_.vertices[mesh_.triangles[h / 3][(h + 1) % 3]];
-      throw Error(ErrorCode::InputInvalid,
-                  "the surface has only one side (like a Möbius strip); its normals disagree at " +
-                      positionText(0.5 * (p + q)) + " mm",
-                  file_, "cut the surface there in the CAD system");
+      throw Error(
+          ErrorCode::InputInvalid,
+          text("the surface has only one side (like a Möbius strip); its normals disagree at %1 mm",
+               {positionText(0.5 * (p + q))}),
+          file_, "cut the surface there in the CAD system");
     }
   }
 

@@ -54,15 +54,16 @@ void chooseUnit(const RawMesh& raw,
   const FileUnit unit = metres ? FileUnit::Metre : FileUnit::Millimetre;
   report.unit = unitName(unit);
   report.millimetresPerUnit = millimetresPer(unit);
-  report.unitReason = "guessed: the largest extent is " + formatReal(extent) +
-                      (metres ? ", less than 2 units" : ", at least 2 units");
-  context.add(
-      {metres ? Severity::Warning : Severity::Information,
-       "import.units_guessed",
-       report.format + " files do not tell their unit; " + report.unit + " is " + report.unitReason,
-       "set the option 'unit' if this is wrong",
-       {},
-       {{"extent", extent}, {"mm_per_unit", report.millimetresPerUnit}}});
+  report.unitReason =
+      metres ? text("guessed: the largest extent is %1, less than 2 units", {formatReal(extent)})
+             : text("guessed: the largest extent is %1, at least 2 units", {formatReal(extent)});
+  context.add({metres ? Severity::Warning : Severity::Information,
+               "import.units_guessed",
+               text("%1 files do not tell their unit; %2 is %3",
+                    {report.format, report.unit, report.unitReason}),
+               "set the option 'unit' if this is wrong",
+               {},
+               {{"extent", extent}, {"mm_per_unit", report.millimetresPerUnit}}});
 }
 
 void scaleAndPlace(TriangleMesh& mesh,
@@ -131,7 +132,7 @@ public:
   }
 
 private:
-  void requireTriangles(const char* message) const {
+  void requireTriangles(const Text& message) const {
     if (raw_.mesh.triangles.empty()) {
       throw Error(ErrorCode::InputInvalid, message, job_.fileText, "export the part again");
     }
@@ -204,20 +205,20 @@ private:
       }
     }
     halfEdges_ = HalfEdges(raw_.mesh);
-    addCounted(context_, Severity::Information, "import.reoriented", orientation.flippedTriangles,
-               std::to_string(orientation.flippedTriangles) +
-                   " triangles were turned so that all normals agree, the first at " +
-                   positionText(orientation.first) + " mm");
+    addCounted(
+        context_, Severity::Information, "import.reoriented", orientation.flippedTriangles,
+        text("%1 triangles were turned so that all normals agree, the first at %2 mm",
+             {std::to_string(orientation.flippedTriangles), positionText(orientation.first)}));
   }
 
   void tell(const Dropped& degenerate, const Dropped& duplicate) {
     const auto count = [](std::size_t n) { return std::to_string(n); };
     if (report_.weldedVertices > 0) {
-      std::string message = count(report_.weldedVertices) + " equal points were joined";
-      if (stitched_ > 0) {
-        message += ", " + count(stitched_) + " of them on borders up to " + formatReal(tolerance_) +
-                   " mm apart";
-      }
+      const Text message =
+          stitched_ > 0
+              ? text("%1 equal points were joined, %2 of them on borders up to %3 mm apart",
+                     {count(report_.weldedVertices), count(stitched_), formatReal(tolerance_)})
+              : text("%1 equal points were joined", {count(report_.weldedVertices)});
       context_.add({Severity::Information,
                     "import.welded",
                     message,
@@ -227,19 +228,18 @@ private:
                      {"on_borders", static_cast<double>(stitched_)}}});
     }
     addCounted(context_, Severity::Information, "import.degenerate_dropped", degenerate.count,
-               count(degenerate.count) + " triangles without area were dropped, the first at " +
-                   positionText(degenerate.first) + " mm");
+               text("%1 triangles without area were dropped, the first at %2 mm",
+                    {count(degenerate.count), positionText(degenerate.first)}));
     addCounted(context_, Severity::Warning, "import.duplicate_dropped", duplicate.count,
-               count(duplicate.count) +
-                   " triangles that were there twice were dropped, the first at " +
-                   positionText(duplicate.first) + " mm",
+               text("%1 triangles that were there twice were dropped, the first at %2 mm",
+                    {count(duplicate.count), positionText(duplicate.first)}),
                "check that no wall is modelled as two coincident surfaces");
     const Dropped flat = countFlat(raw_.mesh);
     report_.flatTriangles = flat.count;
-    addCounted(context_, Severity::Information, "import.flat_triangles", flat.count,
-               count(flat.count) +
-                   " triangles have no area but connect others and were kept, the first at " +
-                   positionText(flat.first) + " mm");
+    addCounted(
+        context_, Severity::Information, "import.flat_triangles", flat.count,
+        text("%1 triangles have no area but connect others and were kept, the first at %2 mm",
+             {count(flat.count), positionText(flat.first)}));
   }
 
   RawMesh raw_;

@@ -39,7 +39,7 @@ public:
         name_ = printableName(scanner_.restOfLine());
         continue;
       } else if (!word.empty() && !isKnown(word)) {
-        fail(quoted(word) + " is not part of an OBJ file");
+        fail(text("%1 is not part of an OBJ file", {quoted(word)}));
       }
       skipLine(word);
     }
@@ -53,9 +53,10 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ErrorCode::InputInvalid, "line " + std::to_string(scanner_.line()) + ": " + what,
-                file_, "the file is damaged or is not an OBJ file; export it again");
+  [[noreturn]] void fail(const Text& what) const {
+    throw Error(ErrorCode::InputInvalid,
+                text("line %1: %2", {std::to_string(scanner_.line()), what}), file_,
+                "the file is damaged or is not an OBJ file; export it again");
   }
 
   /// Keywords of the format that carry no triangles, by their letters only: writers invent some.
@@ -87,8 +88,8 @@ private:
       const std::string_view word = scanner_.wordOnLine();
       const auto number = scanNumber(word);
       if (!number || !std::isfinite(*number)) {
-        fail("vertex " + std::to_string(mesh_.vertices.size()) + " has " + quoted(word) +
-             " instead of a finite number");
+        fail(text("vertex %1 has %2 instead of a finite number",
+                  {std::to_string(mesh_.vertices.size()), quoted(word)}));
       }
       p[k] = *number;
     }
@@ -106,7 +107,7 @@ private:
       corners_.push_back(corner(word));
     }
     if (corners_.size() < 3 || corners_.size() > kMaxPolygonCorners) {
-      fail("a face has " + std::to_string(corners_.size()) + " corners");
+      fail(text("a face has %1 corners", {std::to_string(corners_.size())}));
     }
     dividePolygon(mesh_.vertices, corners_, mesh_.triangles);
     if (mesh_.triangles.size() >= geometry::HalfEdges::kNone / 3) {
@@ -122,8 +123,8 @@ private:
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t position = index > 0 ? index - 1 : count + index;
     if (!number || index == 0 || position < 0 || position >= count) {
-      fail("the face refers to vertex " + quoted(word) + "; there are " + std::to_string(count) +
-           " before it");
+      fail(text("the face refers to vertex %1; there are %2 before it",
+                {quoted(word), std::to_string(count)}));
     }
     return static_cast<std::uint32_t>(position);
   }

@@ -53,16 +53,17 @@ private:
 
 /// Runs work that calls OpenCASCADE; its exceptions become Error(InputInvalid) naming the file.
 template <class Work>
-auto guardOcct(const std::string& file, const char* act, const JobContext& context, Work&& work) {
+auto guardOcct(const std::string& file, const Text& act, const JobContext& context, Work&& work) {
   try {
     return work();
   } catch (const Standard_Failure& failure) {
     context.check();  // a break may surface as a failure
-    const char* text = failure.GetMessageString();
+    const char* message = failure.GetMessageString();
+    const std::string tail =
+        message != nullptr && *message != '\0' ? std::string(": ") + message : std::string();
     throw Error(ErrorCode::InputInvalid,
-                std::string(act) + " failed: " + failure.DynamicType()->Name() +
-                    (text != nullptr && *text != '\0' ? std::string(": ") + text : ""),
-                file, "check the part in the CAD system and export it again");
+                wcam::text("%1 failed: %2%3", {act, failure.DynamicType()->Name(), tail}), file,
+                "check the part in the CAD system and export it again");
   }
 }
 

@@ -57,7 +57,7 @@ void addCounted(const JobContext& context,
                 Severity severity,
                 const char* code,
                 std::size_t count,
-                const std::string& message,
-                const std::string& remedy = {});
+                const Text& message,
+                const Text& remedy = {});
 
 }  // namespace wcam::io

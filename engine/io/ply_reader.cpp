@@ -101,13 +101,13 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const {
+  [[noreturn]] void fail(const Text& what) const {
     throw Error(ErrorCode::InputInvalid, what, file_,
                 "the file is damaged or cut off; export it again");
   }
 
-  [[noreturn]] void failInHeader(const std::string& what) const {
-    fail("header line " + std::to_string(scanner_.line()) + ": " + what);
+  [[noreturn]] void failInHeader(const Text& what) const {
+    fail(text("header line %1: %2", {std::to_string(scanner_.line()), what}));
   }
 
   void header() {
@@ -131,7 +131,7 @@ private:
       } else if (word == "property") {
         readProperty();
       } else if (!word.empty() && word != "comment" && word != "obj_info") {
-        failInHeader(quoted(word) + " is not known");
+        failInHeader(text("%1 is not known", {quoted(word)}));
       }
       scanner_.skipLine();
     }
@@ -146,7 +146,7 @@ private:
     } else if (word == "binary_big_endian") {
       encoding_ = Encoding::BigEndian;
     } else {
-      failInHeader("format " + quoted(word) + " is not known");
+      failInHeader(text("format %1 is not known", {quoted(word)}));
     }
   }
 
@@ -183,7 +183,7 @@ private:
         return known.scalar;
       }
     }
-    failInHeader("type " + quoted(word) + " is not known");
+    failInHeader(text("type %1 is not known", {quoted(word)}));
   }
 
   /// Before anything is allocated.
@@ -195,8 +195,8 @@ private:
       const std::uint64_t least = element.leastSize(ascii);
       const bool fits = least == 0 ? element.count <= left : element.count <= left / least;
       if (!fits || element.count >= geometry::HalfEdges::kNone / 3) {
-        fail("the header tells " + std::to_string(element.count) + " of element '" + element.name +
-             "', the file has only " + std::to_string(bytes_.size()) + " bytes");
+        fail(text("the header tells %1 of element '%2', the file has only %3 bytes",
+                  {std::to_string(element.count), element.name, std::to_string(bytes_.size())}));
       }
       left -= least * element.count;
     }
@@ -220,14 +220,14 @@ private:
       const std::string_view word = scanner_.word();
       const auto value = scanNumber(word);
       if (!value) {
-        fail(word.empty() ? "the file ends in " + place()
-                          : place() + " has " + quoted(word) + " instead of a number");
+        fail(word.empty() ? text("the file ends in %1", {place()})
+                          : text("%1 has %2 instead of a number", {place(), quoted(word)}));
       }
       return *value;
     }
     const std::size_t size = sizeOf(type);
     if (bytes_.size() - position_ < size) {
-      fail("the file ends in " + place());
+      fail(text("the file ends in %1", {place()}));
     }
     std::array<unsigned char, 8> raw{};
     std::memcpy(raw.data(), bytes_.data() + position_, size);
@@ -270,7 +270,7 @@ private:
   std::size_t listSize(const Property& property) {
     const double count = number(*property.count);
     if (!(count >= 0.0) || count != std::floor(count) || count > 4294967295.0) {
-      fail(place() + " has a list of impossible length");
+      fail(text("%1 has a list of impossible length", {place()}));
     }
     return static_cast<std::size_t>(count);
   }
@@ -316,7 +316,7 @@ private:
         }
       }
       if (!p.allFinite()) {
-        fail(place() + " has a coordinate that is not a number");
+        fail(text("%1 has a coordinate that is not a number", {place()}));
       }
       mesh_.vertices.push_back(p);
     }
@@ -349,14 +349,14 @@ private:
   void readCorners(const Property& property, std::vector<std::uint32_t>& corners) {
     const std::size_t count = listSize(property);
     if (count < 3 || count > kMaxPolygonCorners) {
-      fail(place() + " has " + std::to_string(count) + " corners");
+      fail(text("%1 has %2 corners", {place(), std::to_string(count)}));
     }
     corners.clear();
     for (std::size_t k = 0; k < count; ++k) {
       const double index = number(property.type);
       if (!(index >= 0.0) || index >= static_cast<double>(mesh_.vertices.size()) ||
           index != std::floor(index)) {
-        fail(place() + " refers to a vertex that does not exist");
+        fail(text("%1 refers to a vertex that does not exist", {place()}));
       }
       corners.push_back(static_cast<std::uint32_t>(index));
     }

@@ -27,7 +27,7 @@ constexpr std::size_t kBatch = 16;
 
 [[noreturn]] void notFinite(const std::string& file, std::size_t triangle) {
   throw Error(ErrorCode::InputInvalid,
-              "triangle " + std::to_string(triangle) + " has a coordinate that is not a number",
+              text("triangle %1 has a coordinate that is not a number", {std::to_string(triangle)}),
               file, "export the part again; triangles are counted from 0");
 }
 
@@ -135,7 +135,7 @@ public:
         scanner_.skipLine();
         ended = true;
       } else {
-        fail(quoted(word) + " is not part of an STL file");
+        fail(text("%1 is not part of an STL file", {quoted(word)}));
       }
     }
     result.endMissing = !ended;
@@ -148,9 +148,10 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ErrorCode::InputInvalid, "line " + std::to_string(scanner_.line()) + ": " + what,
-                file_, "the file is damaged or cut off; export it again");
+  [[noreturn]] void fail(const Text& what) const {
+    throw Error(ErrorCode::InputInvalid,
+                text("line %1: %2", {std::to_string(scanner_.line()), what}), file_,
+                "the file is damaged or cut off; export it again");
   }
 
   void facet() {
@@ -171,14 +172,14 @@ private:
       } else if (equalNoCase(word, "normal")) {
         scanner_.skipLine();  // recomputed from the vertices; some writers put nan here
       } else if (word.empty()) {
-        fail("the file ends inside facet " + std::to_string(triangles_.size()));
+        fail(text("the file ends inside facet %1", {std::to_string(triangles_.size())}));
       } else if (!equalNoCase(word, "outer") && !equalNoCase(word, "loop") &&
                  !equalNoCase(word, "endloop")) {
-        fail(quoted(word) + " is not part of a facet");
+        fail(text("%1 is not part of a facet", {quoted(word)}));
       }
     }
     if (corners != 3) {
-      fail("a facet has " + std::to_string(corners) + " vertices instead of three");
+      fail(text("a facet has %1 vertices instead of three", {std::to_string(corners)}));
     }
     triangles_.push_back(triangle);
   }
@@ -189,7 +190,7 @@ private:
       const std::string_view word = scanner_.word();
       const std::optional<double> number = scanNumber(word);
       if (!number) {
-        fail(quoted(word) + " is not a number");
+        fail(text("%1 is not a number", {quoted(word)}));
       }
       if (!std::isfinite(*number)) {
         notFinite(file_, triangles_.size());
@@ -223,20 +224,20 @@ ParsedMesh parseStl(std::string_view bytes, const std::string& file, const JobCo
   }
   if (bytes.size() < kHeaderSize) {
     throw Error(ErrorCode::InputInvalid,
-                "is too short for an STL file (" + std::to_string(bytes.size()) + " bytes)", file,
-                "export the part again");
+                text("is too short for an STL file (%1 bytes)", {std::to_string(bytes.size())}),
+                file, "export the part again");
   }
   const std::uint64_t count = declaredTriangles(bytes);
   if (declaredSize(bytes) > bytes.size()) {
     throw Error(ErrorCode::InputInvalid,
-                "the header tells " + std::to_string(count) + " triangles (" +
-                    std::to_string(declaredSize(bytes)) + " bytes), the file has only " +
-                    std::to_string(bytes.size()) + " bytes",
+                text("the header tells %1 triangles (%2 bytes), the file has only %3 bytes",
+                     {std::to_string(count), std::to_string(declaredSize(bytes)),
+                      std::to_string(bytes.size())}),
                 file, "the file is cut off or is not an STL file; export it again");
   }
   if (count >= geometry::HalfEdges::kNone / 3) {
     throw Error(ErrorCode::InputInvalid,
-                "has " + std::to_string(count) + " triangles, more than can be handled", file,
+                text("has %1 triangles, more than can be handled", {std::to_string(count)}), file,
                 "export the part with a larger tolerance");
   }
   ParsedMesh result = parseBinary(bytes, file, context.portion(0.0, 0.8));

@@ -102,7 +102,7 @@ public:
   Package(const Package&) = delete;
   Package& operator=(const Package&) = delete;
 
-  [[noreturn]] void fail(const std::string& what) const {
+  [[noreturn]] void fail(const Text& what) const {
     throw Error(ErrorCode::InputInvalid, what, fileText_,
                 "the file is damaged or cut off; export it again");
   }
@@ -116,7 +116,7 @@ public:
       return false;
     }
     if (unzOpenCurrentFile(zip_) != UNZ_OK) {
-      fail("part '" + part + "' cannot be unpacked");
+      fail(text("part '%1' cannot be unpacked", {part}));
     }
     const std::unique_ptr<void, int (*)(void*)> closer(zip_, unzCloseCurrentFile);
     std::vector<char> chunk(kChunk);
@@ -124,7 +124,7 @@ public:
       context.check();
       const int got = unzReadCurrentFile(zip_, chunk.data(), static_cast<unsigned>(chunk.size()));
       if (got < 0) {
-        fail("part '" + part + "' is damaged");
+        fail(text("part '%1' is damaged", {part}));
       }
       use(chunk.data(), got, got == 0);
       if (got == 0) {
@@ -192,9 +192,9 @@ public:
     });
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    package_.fail("part '" + part_ + "', line " +
-                  std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": " + what);
+  [[noreturn]] void fail(const Text& what) const {
+    package_.fail(text("part '%1', line %2: %3",
+                       {part_, std::to_string(XML_GetCurrentLineNumber(parser_.get())), what}));
   }
 
 private:
@@ -256,7 +256,7 @@ public:
 
   Model parse() {
     if (!xml_.run(context_)) {
-      package_.fail("the package has no part '" + part_ + "'");
+      package_.fail(text("the package has no part '%1'", {part_}));
     }
     return std::move(model_);
   }
@@ -307,7 +307,7 @@ private:
         return;
       }
     }
-    xml_.fail("unit " + quoted(name) + " is not known");
+    xml_.fail(text("unit %1 is not known", {quoted(name)}));
   }
 
   static std::size_t indexOr0(std::string_view text) {
@@ -343,8 +343,8 @@ private:
       const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), t[c]);
       if (error != std::errc() || last != text.data() + text.size() ||
           t[c] >= object_->mesh.vertices.size()) {
-        xml_.fail("triangle " + std::to_string(object_->mesh.triangles.size()) +
-                  " refers to a vertex that does not exist");
+        xml_.fail(wcam::text("triangle %1 refers to a vertex that does not exist",
+                             {std::to_string(object_->mesh.triangles.size())}));
       }
     }
     object_->mesh.triangles.push_back(t);
@@ -414,12 +414,14 @@ private:
     const Model& model = modelOf(part);
     const auto it = model.objects.find(reference.id);
     if (++instances_ > kMaxInstances) {
-      package_.fail("the package repeats its objects more than " + std::to_string(kMaxInstances) +
-                    " times");
+      package_.fail(text("the package repeats its objects more than %1 times",
+                         {std::to_string(kMaxInstances)}));
     }
     if (it == model.objects.end() || depth > kMaxDepth) {
-      package_.fail("part '" + part + "' refers to object '" + reference.id +
-                    (depth > kMaxDepth ? "' in a circle" : "', which does not exist"));
+      package_.fail(depth > kMaxDepth
+                        ? text("part '%1' refers to object '%2' in a circle", {part, reference.id})
+                        : text("part '%1' refers to object '%2', which does not exist",
+                               {part, reference.id}));
     }
     const Object& object = it->second;
     if (object.type == "support" || object.type == "solidsupport") {

@@ -41,8 +41,8 @@ std::string mm(double value) {
   return formatFixed(value, 2) + " mm";
 }
 
-std::string points(std::size_t count) {
-  return count == 1 ? "1 point" : std::to_string(count) + " points";
+Text points(std::size_t count) {
+  return count == 1 ? text("1 point") : text("%1 points", {std::to_string(count)});
 }
 
 /// The worst state of a bead below a limit.
@@ -89,21 +89,23 @@ public:
     finding.place = {operationId_, waypoint.layer, waypoint.bead, waypoint.point};
     finding.data = {{colliding ? "depth_mm" : "distance_mm", std::abs(contact.distance)},
                     {"points", static_cast<double>(worst.count)}};
-    const std::string where = withWhat(contact, finding);
+    const bool travel = waypoint.point < 0;
+    const char* pattern =
+        colliding
+            ? (travel ? "%1 runs up to %2 into %3 in a travel move, at %4"
+                      : "%1 runs up to %2 into %3 at %4")
+            : (travel
+                   ? "%1 comes within %2 of %3 in a travel move, at %4; the safety distance is %5"
+                   : "%1 comes within %2 of %3 at %4; the safety distance is %5");
     finding.message =
-        colliding ? contact.first + " runs up to " + mm(-contact.distance) + " into " + where
-                  : contact.first + " comes within " + mm(contact.distance) + " of " + where;
-    finding.message +=
-        (waypoint.point < 0 ? " in a travel move, at " : " at ") + points(worst.count);
-    if (!colliding) {
-      finding.message += "; the safety distance is " + mm(safety);
-    }
+        text(pattern, {contact.first, mm(colliding ? -contact.distance : contact.distance),
+                       withWhat(contact, finding), points(worst.count), mm(safety)});
     finding.remedy = "tilt the torch, change the rotation about it or the place of the part";
     context.add(std::move(finding));
   }
 
 private:
-  std::string withWhat(const Contact& contact, Diagnostic& finding) const {
+  Text withWhat(const Contact& contact, Diagnostic& finding) const {
     if (contact.rod < 0) {
       return contact.second;
     }
@@ -112,8 +114,9 @@ private:
     finding.data.emplace_back("with_layer", place.layer);
     finding.data.emplace_back("with_bead", place.bead);
     finding.data.emplace_back("with_point", place.point);
-    return "the part (layer " + std::to_string(place.layer) + ", bead " +
-           std::to_string(place.bead) + ", point " + std::to_string(place.point) + ")";
+    return text(
+        "the part (layer %1, bead %2, point %3)",
+        {std::to_string(place.layer), std::to_string(place.bead), std::to_string(place.point)});
   }
 
   const collision::CellCollision& collision_;

@@ -35,7 +35,7 @@ constexpr double kGreatestMove = 600;  // mm: more than that is another cell
 /// One thing to try, with the words for it.
 struct Cure {
   Change change;
-  std::string text;
+  Text text;
   std::string key;  ///< of the figure in data
   double figure = 0.0;
 };
@@ -54,7 +54,7 @@ std::vector<Cure> rotations() {
     for (const double s : {1.0, -1.0}) {
       Cure cure;
       cure.change.rotation = s * k * kRotationStep;
-      cure.text = "rotate the torch about its axis by " + sign(s) + deg(k * kRotationStep);
+      cure.text = text("rotate the torch about its axis by %1", {sign(s) + deg(k * kRotationStep)});
       cure.key = "cure_rotation_deg";
       cure.figure = radToDeg(cure.change.rotation);
       cures.push_back(cure);
@@ -71,11 +71,11 @@ std::vector<Cure> branches(bool turned, const cell::Cell& cell) {
       Cure cure;
       cure.change.branch = k;
       cure.change.rotation = turned ? r * kPi / 6.0 - kPi : 0.0;
-      cure.text = "use the configuration " + name;
-      if (turned && cure.change.rotation != 0.0) {
-        cure.text += " and rotate the torch about its axis by " + sign(cure.change.rotation) +
-                     deg(std::abs(cure.change.rotation));
-      }
+      cure.text =
+          turned && cure.change.rotation != 0.0
+              ? text("use the configuration %1 and rotate the torch about its axis by %2",
+                     {name, sign(cure.change.rotation) + deg(std::abs(cure.change.rotation))})
+              : text("use the configuration %1", {name});
       cure.key = "cure_branch";
       cure.figure = k;
       cures.push_back(cure);
@@ -90,8 +90,9 @@ std::vector<Cure> tilts(const MotionParams& params) {
     for (const double s : {1.0, -1.0}) {
       Cure cure;
       cure.change.lateral = s * k * kTiltStep;
-      cure.text = "tilt the torch by " + sign(s) + deg(k * kTiltStep) +
-                  " about the direction of travel (exit_rotations does it)";
+      cure.text =
+          text("tilt the torch by %1 about the direction of travel (exit_rotations does it)",
+               {sign(s) + deg(k * kTiltStep)});
       cure.key = "cure_lateral_deg";
       cure.figure = radToDeg(cure.change.lateral);
       cures.push_back(cure);
@@ -101,7 +102,7 @@ std::vector<Cure> tilts(const MotionParams& params) {
     for (const double s : {1.0, -1.0}) {
       Cure cure;
       cure.change.lead = s * k * kTiltStep;
-      cure.text = "tilt the torch by " + sign(s) + deg(k * kTiltStep) + " along the travel";
+      cure.text = text("tilt the torch by %1 along the travel", {sign(s) + deg(k * kTiltStep)});
       cure.key = "cure_lead_deg";
       cure.figure = radToDeg(cure.change.lead);
       cures.push_back(cure);
@@ -119,11 +120,10 @@ std::vector<Cure> moves(bool inBase, const cell::Cell& cell) {
         Cure cure;
         const double step = s * k * kMoveStep;
         (inBase ? cure.change.inBase : cure.change.onTable)(axis) = step;
-        const std::string what = !inBase              ? "move the part by "
-                                 : cell.partCarried() ? "move the torch by "
-                                                      : "move the positioner by ";
-        cure.text = what + formatFixed(std::abs(step), 0) + " mm in " + sign(s) + axes[axis] +
-                    (inBase ? " of the base" : " of the table");
+        cure.text = text(!inBase              ? "move the part by %1 mm in %2 of the table"
+                         : cell.partCarried() ? "move the torch by %1 mm in %2 of the base"
+                                              : "move the positioner by %1 mm in %2 of the base",
+                         {formatFixed(std::abs(step), 0), sign(s) + axes[axis]});
         cure.key = std::string(inBase ? "cure_base_" : "cure_table_") +
                    static_cast<char>('x' + axis) + "_mm";
         cure.figure = step;
@@ -140,7 +140,7 @@ std::vector<Cure> partTurns() {
     for (const double s : {1.0, -1.0}) {
       Cure cure;
       cure.change.turn = s * k * kTurnStep;
-      cure.text = "turn the part on the table by " + sign(s) + deg(k * kTurnStep);
+      cure.text = text("turn the part on the table by %1", {sign(s) + deg(k * kTurnStep)});
       cure.key = "cure_turn_deg";
       cure.figure = radToDeg(cure.change.turn);
       cures.push_back(cure);
@@ -172,9 +172,10 @@ std::vector<Cure> otherConfiguration(const cell::Cell& cell) {
         cure.change.positioner = positioner;
         cure.change.branch = branch;
         cure.change.rotation = cell::wrapAngle(r * 2.0 * kPi / kRotations);
-        cure.text = std::string("let the robot carry the ") +
-                    (other.partCarried() ? "part" : "torch") + " (cell \"" + other.name +
-                    "\"), configuration " + other.inverse->branchName(branch);
+        cure.text = text(other.partCarried()
+                             ? "let the robot carry the part (cell \"%1\"), configuration %2"
+                             : "let the robot carry the torch (cell \"%1\"), configuration %2",
+                         {other.name, other.inverse->branchName(branch)});
         cure.key = "cure_other_branch";
         cure.figure = branch;
         cures.push_back(cure);
@@ -323,25 +324,29 @@ void explain(Diagnostic& finding,
           "order of the beads";
       return;
     }
-    finding.remedy =
-        "none of these alone puts it right: rotations about the torch, the other configurations, "
-        "tilts within the tolerances, turning the part, moving part or positioner by up to " +
-        formatFixed(kGreatestMove, 0) + " mm" +
-        (trial.hasOther() ? ", the cell's other configuration" : "") +
-        "; search a placement with `camcli place`";
+    finding.remedy = text(
+        trial.hasOther()
+            ? "none of these alone puts it right: rotations about the torch, the other "
+              "configurations, tilts within the tolerances, turning the part, moving part or "
+              "positioner by up to %1 mm, the cell's other configuration; search a placement with "
+              "`camcli place`"
+            : "none of these alone puts it right: rotations about the torch, the other "
+              "configurations, tilts within the tolerances, turning the part, moving part or "
+              "positioner by up to %1 mm; search a placement with `camcli place`",
+        {formatFixed(kGreatestMove, 0)});
     return;
   }
   const bool moved = movesSomething(*best);
-  finding.remedy = best->text;
-  if (served < explanation.count()) {
-    finding.remedy += ": that serves " + std::to_string(served) + " of " +
-                      std::to_string(explanation.count()) + " points tried of this bead";
-  } else {
-    finding.remedy += ": that serves all points tried of this bead";
-  }
-  if (moved) {
-    finding.remedy += " (reach, limits and singularities; collisions not looked at)";
-  }
+  const bool all = served == explanation.count();
+  const char* pattern =
+      moved ? (all ? "%1: that serves all points tried of this bead (reach, limits and "
+                     "singularities; collisions not looked at)"
+                   : "%1: that serves %2 of %3 points tried of this bead (reach, limits and "
+                     "singularities; collisions not looked at)")
+            : (all ? "%1: that serves all points tried of this bead"
+                   : "%1: that serves %2 of %3 points tried of this bead");
+  finding.remedy =
+      text(pattern, {best->text, std::to_string(served), std::to_string(explanation.count())});
   finding.data.emplace_back(best->key, best->figure);
   if (best->key == "cure_branch" && best->change.rotation != 0.0) {
     finding.data.emplace_back("cure_rotation_deg", radToDeg(best->change.rotation));

@@ -49,8 +49,8 @@ private:
   double pointValue_ = 0.0;
 };
 
-std::string points(std::size_t count) {
-  return count == 1 ? "1 point" : std::to_string(count) + " points";
+Text points(std::size_t count) {
+  return count == 1 ? text("1 point") : text("%1 points", {std::to_string(count)});
 }
 
 std::string degText(double rad) {
@@ -177,8 +177,8 @@ private:
   void put(const JobContext& context,
            Severity severity,
            const char* code,
-           std::string message,
-           std::string remedy,
+           Text message,
+           Text remedy,
            const Worst& worst,
            std::vector<std::pair<std::string, double>> data) const {
     Place place = place_;
@@ -197,19 +197,21 @@ private:
     return cell::toJointUnit(cell_.joint(worst.joint), value);
   }
 
-  std::string nameOf(const Worst& worst) const {
-    return worst.joint < 0 ? std::string("a joint") : "joint " + cell_.joint(worst.joint).name;
+  Text nameOf(const Worst& worst) const {
+    return worst.joint < 0 ? text("a joint") : text("joint %1", {cell_.joint(worst.joint).name});
   }
 
   void reportReach(const JobContext& context) const {
     if (unreachable_.count > 0) {
-      std::string missing = (cell_.arm ? "the wrist misses up to " : "the tool misses up to ") +
-                            formatFixed(unreachable_.value, 1) + " mm";
-      if (unreachable_.extra > 0.0) {
-        missing += " and " + degText(unreachable_.extra);
-      }
+      const bool turned = unreachable_.extra > 0.0;
+      const char* pattern =
+          cell_.arm ? (turned ? "%1 out of the robot's reach; the wrist misses up to %2 mm and %3"
+                              : "%1 out of the robot's reach; the wrist misses up to %2 mm")
+                    : (turned ? "%1 out of the robot's reach; the tool misses up to %2 mm and %3"
+                              : "%1 out of the robot's reach; the tool misses up to %2 mm");
       put(context, Severity::Violation, "motion.unreachable",
-          points(unreachable_.count) + " out of the robot's reach; " + missing,
+          text(pattern, {points(unreachable_.count), formatFixed(unreachable_.value, 1),
+                         degText(unreachable_.extra)}),
           "move the part in the cell, change the rotation about the torch or the configuration, or "
           "lower the safe height when only travel moves are concerned",
           unreachable_, {{"missing_mm", unreachable_.value}});
@@ -220,8 +222,8 @@ private:
     for (const Worst& worst : limits_) {
       if (worst.count > 0) {
         put(context, Severity::Violation, "motion.joint_limit",
-            nameOf(worst) + " exceeds its limit by up to " + valueText(worst) + " at " +
-                points(worst.count),
+            text("%1 exceeds its limit by up to %2 at %3",
+                 {nameOf(worst), valueText(worst), points(worst.count)}),
             "change the rotation about the torch, the configuration or the place of the part",
             worst,
             {{"joint", worst.joint + 1.0},
@@ -236,8 +238,8 @@ private:
       const Worst& worst = sums_[k];
       if (worst.count > 0) {
         put(context, Severity::Violation, "motion.joint_limit",
-            "the sum " + cell_.sums[k].name + " exceeds its limit by up to " + valueText(worst) +
-                " at " + points(worst.count),
+            text("the sum %1 exceeds its limit by up to %2 at %3",
+                 {cell_.sums[k].name, valueText(worst), points(worst.count)}),
             "change the rotation about the torch or the configuration", worst,
             {{"joint", worst.joint + 1.0},
              {"excess_" + unitOf(worst), toUnit(worst, worst.value)},
@@ -247,37 +249,39 @@ private:
   }
 
   /// What lies in line at a singularity of the orientation.
-  [[nodiscard]] std::string wristText() const {
+  [[nodiscard]] Text wristText() const {
+    const std::string bend = degText(-wrist_.value);
     switch (cell_.inverse->method()) {
       case cell::InverseMethod::Arm:
-        return "wrist singularity: axes 4 and 6 are in line but for ";
+        return text("wrist singularity: axes 4 and 6 are in line but for %1 at %2",
+                    {bend, points(wrist_.count)});
       case cell::InverseMethod::Cartesian:
-        return "singularity: the tool is in line with axis " + cell_.joint(kFirstRotary).name +
-               " but for ";
+        return text("singularity: the tool is in line with axis %3 but for %1 at %2",
+                    {bend, points(wrist_.count), cell_.joint(kFirstRotary).name});
       case cell::InverseMethod::Numeric:
         break;
     }
-    return "singularity: a joint moves the tool as the others do but for ";
+    return text("singularity: a joint moves the tool as the others do but for %1 at %2",
+                {bend, points(wrist_.count)});
   }
 
   void reportSingularities(const JobContext& context) const {
-    const char* remedy =
-        "change the rotation about the torch, the tool tilt or the place of the part";
+    const Text remedy =
+        text("change the rotation about the torch, the tool tilt or the place of the part");
     if (wrist_.count > 0) {
-      put(context, Severity::Warning, "motion.singularity",
-          wristText() + degText(-wrist_.value) + " at " + points(wrist_.count), remedy, wrist_,
+      put(context, Severity::Warning, "motion.singularity", wristText(), remedy, wrist_,
           {{"wrist_bend_deg", radToDeg(-wrist_.value)}});
     }
     if (elbow_.count > 0) {
       put(context, Severity::Warning, "motion.singularity",
-          "elbow singularity: the arm is stretched or folded but for " + degText(-elbow_.value) +
-              " at " + points(elbow_.count),
+          text("elbow singularity: the arm is stretched or folded but for %1 at %2",
+               {degText(-elbow_.value), points(elbow_.count)}),
           remedy, elbow_, {{"elbow_bend_deg", radToDeg(-elbow_.value)}});
     }
     if (shoulder_.count > 0) {
       put(context, Severity::Warning, "motion.singularity",
-          "shoulder singularity: the wrist centre is " + formatFixed(-shoulder_.value, 1) +
-              " mm from axis 1 at " + points(shoulder_.count),
+          text("shoulder singularity: the wrist centre is %1 mm from axis 1 at %2",
+               {formatFixed(-shoulder_.value, 1), points(shoulder_.count)}),
           remedy, shoulder_, {{"axis_distance_mm", -shoulder_.value}});
     }
   }
@@ -286,8 +290,8 @@ private:
     for (const Worst& worst : steps_) {
       if (worst.count > 0) {
         put(context, Severity::Warning, "motion.joint_step",
-            nameOf(worst) + " turns by up to " + degText(worst.value) +
-                " between neighbouring points",
+            text("%1 turns by up to %2 between neighbouring points",
+                 {nameOf(worst), degText(worst.value)}),
             "change the rotation about the torch or the configuration, so that the motion keeps "
             "away from a singularity",
             worst, {{"joint", worst.joint + 1.0}, {"step_deg", radToDeg(worst.value)}});
@@ -296,7 +300,7 @@ private:
     for (const Worst& worst : turns_) {
       if (worst.count > 0) {
         put(context, Severity::Information, "motion.configuration_change",
-            nameOf(worst) + " turns by " + degText(worst.value) + " in a travel move",
+            text("%1 turns by %2 in a travel move", {nameOf(worst), degText(worst.value)}),
             "check the cables", worst,
             {{"joint", worst.joint + 1.0}, {"step_deg", radToDeg(worst.value)}});
       }
@@ -306,9 +310,9 @@ private:
   void reportRest(const JobContext& context) const {
     if (slow_.count > 0) {
       put(context, Severity::Warning, "motion.speed_limited",
-          nameOf(slow_) + " slows the torch down to " + formatFixed(slow_.extra, 2) + " mm/s (" +
-              formatFixed(-slow_.value * 100.0, 1) + " % of the wanted speed) at " +
-              points(slow_.count),
+          text("%1 slows the torch down to %2 mm/s (%3 % of the wanted speed) at %4",
+               {nameOf(slow_), formatFixed(slow_.extra, 2), formatFixed(-slow_.value * 100.0, 1),
+                points(slow_.count)}),
           "lower the travel speed, smooth the path (axis_rate bounds the turn of its build "
           "direction), or keep away from singularities",
           slow_,
@@ -318,29 +322,29 @@ private:
     }
     if (dexterity_.count > 0) {
       put(context, Severity::Warning, "motion.low_dexterity",
-          "the dexterity falls to " + formatFixed(-dexterity_.value, 4) + " at " +
-              points(dexterity_.count),
+          text("the dexterity falls to %1 at %2",
+               {formatFixed(-dexterity_.value, 4), points(dexterity_.count)}),
           "change the rotation about the torch or the place of the part", dexterity_,
           {{"dexterity", -dexterity_.value}});
     }
     if (vertical_.count > 0) {
       put(context, Severity::Warning, "motion.not_vertical",
-          "the build direction is up to " + degText(vertical_.value) + " off the vertical at " +
-              points(vertical_.count),
+          text("the build direction is up to %1 off the vertical at %2",
+               {degText(vertical_.value), points(vertical_.count)}),
           "the positioner's axes cannot turn it further; choose another build direction", vertical_,
           {{"angle_deg", radToDeg(vertical_.value)}});
     }
     if (tilt_.count > 0) {
       put(context, Severity::Warning, "motion.tilt",
-          "the torch leans by up to " + degText(tilt_.value) + " from the path's tool axis at " +
-              points(tilt_.count) + "; allowed are " + degText(params_.tiltTolerance.value()),
+          text("the torch leans by up to %1 from the path's tool axis at %2; allowed are %3",
+               {degText(tilt_.value), points(tilt_.count), degText(params_.tiltTolerance.value())}),
           "raise tilt_tolerance if the process bears it, or choose another redundancy mode", tilt_,
           {{"tilt_deg", radToDeg(tilt_.value)}});
     }
     if (cable_.count > 0) {
       put(context, Severity::Warning, "motion.cable_twist",
-          "the torch's cable is twisted by up to " + degText(cable_.value) + " at " +
-              points(cable_.count),
+          text("the torch's cable is twisted by up to %1 at %2",
+               {degText(cable_.value), points(cable_.count)}),
           "change the rotation about the torch or the configuration; check the cable's zero",
           cable_, {{"twist_deg", radToDeg(cable_.value)}});
     }

@@ -42,13 +42,16 @@ bool lacksPositioner(RedundancyMode mode, const Cell& cell) {
 
 Resolution resolveNamed(RedundancyMode mode, const Task& task, const JobContext& context) {
   if (lacksPositioner(mode, task.cell)) {
-    throw Error(ErrorCode::JobFailed,
-                std::string("the mode ") + redundancyKey(mode) +
-                    " turns the last axis of the positioner, and the cell has " +
-                    (task.cell.partCarried() ? "none: the robot carries the part" : "none"),
-                "cell " + task.cell.name,
-                "use a cell with a positioner, or the mode optimized, constant, point_by_point or "
-                "polynomial");
+    throw Error(
+        ErrorCode::JobFailed,
+        text(task.cell.partCarried() ? "the mode %1 turns the last axis of the positioner, and the "
+                                       "cell has none: the robot carries the part"
+                                     : "the mode %1 turns the last axis of the positioner, "
+                                       "and the cell has none",
+             {std::string(redundancyKey(mode))}),
+        text("cell %1", {task.cell.name}),
+        "use a cell with a positioner, or the mode optimized, constant, point_by_point or "
+        "polynomial");
   }
   switch (mode) {
     case RedundancyMode::PointByPoint:

@@ -384,7 +384,7 @@ PlacementMap searchPlacement(const toolpath::Toolpath& path,
                              const MotionParams& params,
                              const PlacementSearch& search,
                              const JobContext& context) {
-  detail::checkBranch(cell, params, "");
+  detail::checkBranch(cell, params, text("cell %1", {cell.name}));
   if (!(search.step > 0.0) || !(search.turnStep > 0.0) || !(search.rotationStep > 0.0) ||
       search.samples < 2) {
     throw Error(ErrorCode::InvalidArgument, "the steps of the search must be greater than 0", {},

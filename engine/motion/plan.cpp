@@ -86,13 +86,12 @@ void fillStatistics(const cell::Cell& cell,
 
 }  // namespace
 
-void detail::checkBranch(const cell::Cell& cell,
-                         const MotionParams& params,
-                         const std::string& place) {
+void detail::checkBranch(const cell::Cell& cell, const MotionParams& params, const Text& place) {
   if (!cell.arm && params.branch != BranchChoice::Auto) {
-    throw Error(ErrorCode::JobFailed,
-                "the robot of the cell has no configurations of this name: " + cell.armProblem,
-                "cell " + cell.name + place, "set \"branch\" to auto");
+    throw Error(
+        ErrorCode::JobFailed,
+        text("the robot of the cell has no configurations of this name: %1", {cell.armProblem}),
+        place, "set \"branch\" to auto");
   }
 }
 
@@ -102,7 +101,7 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const std::string& operationId,
                          const JobContext& context,
                          const collision::Clearance* clearance) {
-  detail::checkBranch(cell, params, ", operation " + operationId);
+  detail::checkBranch(cell, params, text("cell %1, operation %2", {cell.name, operationId}));
   PlannedMotion planned;
   std::vector<detail::Target> targets = detail::makeTargets(path, params, context);
   if (targets.empty()) {

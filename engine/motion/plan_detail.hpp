@@ -138,7 +138,7 @@ std::vector<int> oneBranch(const Task& task,
 bool mayUse(const Cell& cell, const MotionParams& params, int branch);
 
 /// @throws Error(JobFailed) when the parameters name a branch that only an arm has
-void checkBranch(const Cell& cell, const MotionParams& params, const std::string& place);
+void checkBranch(const Cell& cell, const MotionParams& params, const Text& place);
 
 /// A robot without a closed form is followed from point to point: its branches are start postures.
 bool isFollowed(const Cell& cell);

@@ -102,9 +102,8 @@ public:
       }
       context_.add({Severity::Information,
                     "motion.reversal",
-                    "joint " + cell_.joint(reversal.joint).name +
-                        " turns round; its backlash moves the torch by " + formatFixed(effect, 3) +
-                        " mm",
+                    text("joint %1 turns round; its backlash moves the torch by %2 mm",
+                         {cell_.joint(reversal.joint).name, formatFixed(effect, 3)}),
                     "place the part so that the joint keeps its direction, or expect a mark",
                     {operation_, point.layer, point.bead, point.point},
                     {{"joint", reversal.joint + 1.0},
@@ -118,11 +117,11 @@ private:
   void report(const SpeedEvent& event, std::size_t waypoint, std::size_t count) const {
     const Waypoint& point = motion_.waypoints[waypoint];
     const Limiter limiter = limiterAt(motion_, bounds_, waypoint);
-    const std::string name =
-        limiter.joint < 0 ? std::string("no joint") : "joint " + cell_.joint(limiter.joint).name;
-    const std::string percent = formatFixed(event.ratio * 100.0, 1) + " % of the wanted speed";
-    const std::string more =
-        count > 1 ? ", the worst of " + std::to_string(count) + " places" : std::string();
+    const Text name =
+        limiter.joint < 0 ? text("no joint") : text("joint %1", {cell_.joint(limiter.joint).name});
+    const std::string speed = formatFixed(point.tcpSpeed, 2);
+    const std::string percent = formatFixed(event.ratio * 100.0, 1);
+    const std::string places = std::to_string(count);
     std::vector<std::pair<std::string, double>> data = {
         {"speed_mm_s", point.tcpSpeed}, {"speed_ratio", event.ratio},
         {"joint", limiter.joint + 1.0}, {"limit_share", limiter.share},
@@ -130,16 +129,23 @@ private:
     const Place place{operation_, point.layer, point.bead, point.point};
     if (event.peak) {
       context_.add({Severity::Warning, "motion.speed_peak",
-                    "the torch is predicted to run at " + formatFixed(point.tcpSpeed, 2) +
-                        " mm/s, " + percent + more,
+                    text(count > 1 ? "the torch is predicted to run at %1 mm/s, %2 % of the wanted "
+                                     "speed, the worst of %3 places"
+                                   : "the torch is predicted to run at %1 mm/s, %2 % of the wanted "
+                                     "speed",
+                         {speed, percent, places}),
                     "let the length of the path lead the motion, not an axis", place, data});
     } else {
-      context_.add({Severity::Warning, "motion.speed_dip",
-                    "the torch is predicted to slow down to " + formatFixed(point.tcpSpeed, 2) +
-                        " mm/s, " + percent + "; nearest to its limit is " + name + more,
-                    "smooth the path, allow more rounding of corners, lower the travel speed, or "
-                    "let the wire feed follow (wire_follows_speed)",
-                    place, data});
+      context_.add(
+          {Severity::Warning, "motion.speed_dip",
+           text(count > 1 ? "the torch is predicted to slow down to %1 mm/s, %2 % of the wanted "
+                            "speed; nearest to its limit is %4, the worst of %3 places"
+                          : "the torch is predicted to slow down to %1 mm/s, %2 % of the wanted "
+                            "speed; nearest to its limit is %4",
+                {speed, percent, places, name}),
+           "smooth the path, allow more rounding of corners, lower the travel speed, or "
+           "let the wire feed follow (wire_follows_speed)",
+           place, data});
     }
   }
 

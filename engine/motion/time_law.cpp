@@ -29,8 +29,8 @@ std::vector<JointBounds> jointBounds(const Cell& cell, const TimeLawParams& para
   for (int j = 0; j < cell.jointCount(); ++j) {
     const cell::Joint& joint = cell.joint(j);
     if (!(joint.maxSpeed > 0.0)) {
-      throw Error(ErrorCode::JobFailed, "joint " + joint.name + " has no greatest speed",
-                  "cell " + cell.name, "add \"max_speed\" to the joint in the cell file");
+      throw Error(ErrorCode::JobFailed, text("joint %1 has no greatest speed", {joint.name}),
+                  text("cell %1", {cell.name}), "add \"max_speed\" to the joint in the cell file");
     }
     JointBounds own{joint.maxSpeed, joint.maxAcceleration, joint.maxJerk};
     if (!std::isfinite(own.acceleration) && params.accelerationTime > 0.0) {

@@ -53,9 +53,10 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& message, const std::string& hint) const {
+  [[noreturn]] void fail(const Text& message, const Text& hint) const {
     throw Error(ErrorCode::InputInvalid, message,
-                source_ + (line_ > 0 ? ", line " + std::to_string(line_) : std::string()), hint);
+                line_ > 0 ? text("%1, line %2", {source_, std::to_string(line_)}) : Text(source_),
+                hint);
   }
 
   /// The next line that is not empty.
@@ -101,9 +102,9 @@ private:
       }
     }
     const auto near = nearestName(name, names);
-    fail("the column '" + std::string(name) + "' is not known" +
-             (near ? "; did you mean '" + *near + "'?" : std::string()),
-         "name the columns " + joinText(names, ", ") + "; others begin with x-");
+    fail(near ? text("the column '%1' is not known; did you mean '%2'?", {std::string(name), *near})
+              : text("the column '%1' is not known", {std::string(name)}),
+         text("name the columns %1; others begin with x-", {joinText(names, ", ")}));
   }
 
   void readHeader() {
@@ -117,7 +118,7 @@ private:
       const int column = columnOf(name);
       if (column != kSkipped &&
           std::find(columns_.begin(), columns_.end(), column) != columns_.end()) {
-        fail("the column '" + std::string(name) + "' stands twice", "keep one");
+        fail(text("the column '%1' stands twice", {std::string(name)}), "keep one");
       }
       columns_.push_back(column);
     }
@@ -129,8 +130,8 @@ private:
       }
     }
     if (!missing.empty()) {
-      fail(std::string(missing.size() == 1 ? "the column " : "the columns ") +
-               joinText(missing, ", ") + (missing.size() == 1 ? " is" : " are") + " missing",
+      fail(text(missing.size() == 1 ? "the column %1 is missing" : "the columns %1 are missing",
+                {joinText(missing, ", ")}),
            "record the time and the motor speed of every joint of the cell; 0 for those that rest");
     }
   }
@@ -138,8 +139,8 @@ private:
   void readRow() {
     const std::vector<std::string_view> row = cells();
     if (row.size() != columns_.size()) {
-      fail("the row has " + std::to_string(row.size()) + " columns, the header " +
-               std::to_string(columns_.size()),
+      fail(text("the row has %1 columns, the header %2",
+                {std::to_string(row.size()), std::to_string(columns_.size())}),
            "separate the columns as in the header and write decimal points");
     }
     double time = 0.0;
@@ -150,15 +151,15 @@ private:
       }
       const auto number = parseReal(row[k]);
       if (!number) {
-        fail("column " + std::to_string(k + 1) + ": '" + std::string(row[k]) +
-                 "' is not a finite number",
+        fail(text("column %1: '%2' is not a finite number",
+                  {std::to_string(k + 1), std::string(row[k])}),
              "write plain numbers with a decimal point");
       }
       (columns_[k] == kTimeIndex ? time : rpm(columns_[k])) = *number;
     }
     if (!trace_.time.empty() && !(time > trace_.time.back())) {
-      fail("the time " + formatFixed(time, kDecimals) + " s is not after " +
-               formatFixed(trace_.time.back(), kDecimals) + " s of the row before",
+      fail(text("the time %1 s is not after %2 s of the row before",
+                {formatFixed(time, kDecimals), formatFixed(trace_.time.back(), kDecimals)}),
            "sort the rows by time and remove repeated ones");
     }
     trace_.time.push_back(time);
@@ -186,10 +187,12 @@ private:
       context_.add(
           {Severity::Warning,
            "trace.uneven_time",
-           source_ + ": " + std::to_string(count) + (count == 1 ? " step is" : " steps are") +
-               " longer than the others; the longest is " + formatFixed(steps[worst], kDecimals) +
-               " s at " + formatFixed(trace_.time[worst], kDecimals) + " s instead of " +
-               formatFixed(usual, kDecimals) + " s",
+           text(count == 1 ? "%1: %2 step is longer than the others; the longest is %3 s at %4 s "
+                             "instead of %5 s"
+                           : "%1: %2 steps are longer than the others; the longest is %3 s at %4 s "
+                             "instead of %5 s",
+                {source_, std::to_string(count), formatFixed(steps[worst], kDecimals),
+                 formatFixed(trace_.time[worst], kDecimals), formatFixed(usual, kDecimals)}),
            "samples are lost there: joint values are uncertain from that time on",
            {},
            {{"steps", static_cast<double>(count)},
@@ -219,8 +222,8 @@ void checkRatios(const cell::Cell& cell) {
   }
   if (!missing.empty()) {
     throw Error(ErrorCode::InvalidArgument,
-                "the reduction ratio is unknown of " + joinText(missing, ", "), "cell " + cell.name,
-                "add \"ratio\" to these joints in the cell file");
+                text("the reduction ratio is unknown of %1", {joinText(missing, ", ")}),
+                text("cell %1", {cell.name}), "add \"ratio\" to these joints in the cell file");
   }
 }
 
@@ -240,9 +243,9 @@ TcpTrace reconstructTcp(const MotorTrace& trace,
   checkRatios(cell);
   if (initial.size() != cell.jointCount()) {
     throw Error(ErrorCode::InvalidArgument,
-                "expected " + std::to_string(cell.jointCount()) + " initial joint values, got " +
-                    std::to_string(initial.size()),
-                "cell " + cell.name, "give one value per joint, the robot's first");
+                text("expected %1 initial joint values, got %2",
+                     {std::to_string(cell.jointCount()), std::to_string(initial.size())}),
+                text("cell %1", {cell.name}), "give one value per joint, the robot's first");
   }
   TcpTrace result;
   JointVector q = initial;

@@ -18,9 +18,9 @@ constexpr std::size_t kMaxFileName = 255;
 class Guard {
 public:
   Guard(const std::string& plugin, const std::string& component)
-      : place_("plugin " + plugin + ", component " + component) {}
+      : place_(text("plugin %1, component %2", {plugin, component})) {}
 
-  [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const {
+  [[noreturn]] void fail(const Text& message, const Text& hint = {}) const {
     throw Error(ErrorCode::JobFailed, message, place_, hint);
   }
 
@@ -36,28 +36,28 @@ public:
       fail("stopped as if it were cancelled, but nobody asked for it",
            "report this to the vendor of the plugin");
     } catch (const Error& error) {
-      fail(error.what(), error.hint());
+      fail(error.whatText(), error.hintText());
     } catch (...) {
-      fail("failed: " + currentExceptionText(), "report this to the vendor of the plugin");
+      fail(text("failed: %1", {currentExceptionText()}), "report this to the vendor of the plugin");
     }
   }
 
 private:
-  std::string place_;
+  Text place_;
 };
 
-std::string contourProblem(const toolpath::Contour& contour, std::size_t parts) {
+Text contourProblem(const toolpath::Contour& contour, std::size_t parts) {
   if (contour.part < 0 || static_cast<std::size_t>(contour.part) >= parts) {
-    return "names part " + std::to_string(contour.part) + ", which does not exist";
+    return text("names part %1, which does not exist", {std::to_string(contour.part)});
   }
   for (std::size_t i = 0; i < contour.points.size(); ++i) {
     const toolpath::ContourPoint& point = contour.points[i];
     if (!point.p.allFinite() || !point.n.allFinite() || !point.axis.allFinite() ||
         !std::isfinite(point.height) || !std::isfinite(point.width)) {
-      return "has a number that is not finite at point " + std::to_string(i);
+      return text("has a number that is not finite at point %1", {std::to_string(i)});
     }
     if (point.height < 0.0 || point.width < 0.0) {
-      return "has a negative height or width at point " + std::to_string(i);
+      return text("has a negative height or width at point %1", {std::to_string(i)});
     }
   }
   for (std::size_t k = 0; k < contour.turns.size(); ++k) {
@@ -89,13 +89,13 @@ public:
       const bool finite =
           std::isfinite(layer.level) && layer.up.allFinite() && std::isfinite(layer.nominalHeight);
       if (!finite) {
-        guard_.fail("layer " + std::to_string(i) + " has a number that is not finite");
+        guard_.fail(text("layer %1 has a number that is not finite", {std::to_string(i)}));
       }
       for (std::size_t k = 0; k < layer.contours.size(); ++k) {
-        const std::string problem = contourProblem(layer.contours[k], partCount(input));
+        const Text problem = contourProblem(layer.contours[k], partCount(input));
         if (!problem.empty()) {
-          guard_.fail("layer " + std::to_string(i) + " contour " + std::to_string(k) + " " +
-                      problem);
+          guard_.fail(
+              text("layer %1 contour %2 %3", {std::to_string(i), std::to_string(k), problem}));
         }
       }
     }
@@ -107,18 +107,18 @@ private:
   Guard guard_;
 };
 
-std::string fileNameProblem(const std::string& name) {
+Text fileNameProblem(const std::string& name) {
   if (name.empty() || name == "." || name == "..") {
     return "is not a file name";
   }
   if (name.size() > kMaxFileName) {
-    return "is longer than " + std::to_string(kMaxFileName) + " bytes";
+    return text("is longer than %1 bytes", {std::to_string(kMaxFileName)});
   }
   const bool bad = std::any_of(name.begin(), name.end(), [](char c) {
     const auto code = static_cast<unsigned char>(c);
     return c == '/' || c == '\\' || c == ':' || code < 0x20 || code == 0x7F;
   });
-  return bad ? "contains a folder, a colon or a control character" : std::string();
+  return bad ? text("contains a folder, a colon or a control character") : Text();
 }
 
 std::string lowerAscii(std::string text) {
@@ -144,12 +144,12 @@ public:
     // Controllers and their file servers ignore case.
     std::set<std::string> names;
     for (const OutputFile& file : files) {
-      const std::string problem = fileNameProblem(file.name);
+      const Text problem = fileNameProblem(file.name);
       if (!problem.empty()) {
-        guard_.fail("output file name '" + file.name + "' " + problem);
+        guard_.fail(text("output file name '%1' %2", {file.name, problem}));
       }
       if (!names.insert(lowerAscii(file.name)).second) {
-        guard_.fail("output file name '" + file.name + "' appears twice (case is ignored)");
+        guard_.fail(text("output file name '%1' appears twice (case is ignored)", {file.name}));
       }
     }
     return files;

@@ -27,8 +27,8 @@ struct Candidate {
   fs::path path;
   PluginOrigin origin = PluginOrigin::Installed;
   std::optional<Manifest> manifest;
-  std::string refusal;  ///< found out for itself: bad manifest, wrong ABI, failed loading
-  std::string shadow;   ///< in the way of one that comes first
+  Text refusal;  ///< found out for itself: bad manifest, wrong ABI, failed loading
+  Text shadow;   ///< in the way of one that comes first
   bool shadowed = false;
   std::optional<LoadedComponents> loaded;
 
@@ -54,12 +54,12 @@ Candidate readCandidate(const fs::path& manifestFile, PluginOrigin origin) {
     candidate.refusal = abiProblem(static_cast<unsigned>(candidate.manifest->abiMajor),
                                    static_cast<unsigned>(candidate.manifest->abiMinor));
   } catch (const Error& error) {
-    candidate.refusal = error.message();
+    candidate.refusal = error.messageText();
   }
   return candidate;
 }
 
-Candidate refusedCandidate(const fs::path& path, PluginOrigin origin, std::string reason) {
+Candidate refusedCandidate(const fs::path& path, PluginOrigin origin, Text reason) {
   Candidate candidate;
   candidate.path = path;
   candidate.origin = origin;
@@ -78,8 +78,9 @@ Candidate requestedCandidate(const fs::path& file) {
     return refusedCandidate(file, PluginOrigin::Requested, "the file does not exist");
   }
   if (!fs::exists(manifest, error)) {
-    return refusedCandidate(file, PluginOrigin::Requested,
-                            "it has no manifest " + pathText(manifest.filename()) + " beside it");
+    return refusedCandidate(
+        file, PluginOrigin::Requested,
+        text("it has no manifest %1 beside it", {pathText(manifest.filename())}));
   }
   return readCandidate(manifest, PluginOrigin::Requested);
 }
@@ -108,7 +109,7 @@ std::vector<Candidate> scanFolder(const PluginSearch::Folder& folder) {
   }
   if (error) {
     return {refusedCandidate(folder.path, folder.origin,
-                             "the folder cannot be read: " + error.message())};
+                             text("the folder cannot be read: %1", {error.message()}))};
   }
   std::sort(manifests.begin(), manifests.end());
   std::sort(libraries.begin(), libraries.end());
@@ -125,7 +126,7 @@ std::vector<Candidate> scanFolder(const PluginSearch::Folder& folder) {
     if (!named.contains(file.filename().string())) {
       candidates.push_back(refusedCandidate(
           file, folder.origin,
-          "it has no manifest " + pathText(manifestOf(file).filename()) + " beside it"));
+          text("it has no manifest %1 beside it", {pathText(manifestOf(file).filename())})));
     }
   }
   return candidates;
@@ -225,21 +226,23 @@ void PluginHost::State::resolve() {
   std::map<std::string, const Candidate*> plugins;
   std::map<std::string, const Candidate*> components;
   for (Candidate& candidate : candidates) {
-    candidate.shadow.clear();
+    candidate.shadow = {};
     if (!candidate.refusal.empty()) {
       continue;
     }
     const auto [first, won] = plugins.emplace(candidate.manifest->id, &candidate);
     candidate.shadowed = !won;
     if (!won) {
-      candidate.shadow = "another plugin of this id comes first: " + pathText(first->second->path);
+      candidate.shadow =
+          text("another plugin of this id comes first: %1", {pathText(first->second->path)});
       continue;
     }
     for (const ComponentEntry& entry : candidate.manifest->components) {
       const auto found = components.find(entry.id);
       if (found != components.end()) {
-        candidate.shadow = "its component '" + entry.id + "' is already provided by plugin " +
-                           found->second->manifest->id + " (" + pathText(found->second->path) + ")";
+        candidate.shadow =
+            text("its component '%1' is already provided by plugin %2 (%3)",
+                 {entry.id, found->second->manifest->id, pathText(found->second->path)});
       }
     }
     if (!candidate.shadow.empty()) {
@@ -260,7 +263,7 @@ void PluginHost::State::load(Candidate& candidate) {
     candidate.loaded = loadLibrary(*candidate.manifest,
                                    candidate.path.parent_path() / candidate.manifest->library);
   } catch (const Error& error) {
-    candidate.refusal = error.message();
+    candidate.refusal = error.messageText();
     resolve();
   }
 }
@@ -290,7 +293,7 @@ Candidate& PluginHost::State::loadedOwner(std::string_view id, ComponentKind kin
 }
 
 void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
-  std::vector<std::string> reasons;
+  std::vector<Text> reasons;
   std::vector<std::string> names;
   std::string otherKind;
   for (const Candidate& candidate : candidates) {
@@ -299,9 +302,9 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
     }
     for (const ComponentEntry& entry : candidate.manifest->components) {
       if (entry.id == id && entry.kind == kind && candidate.verdict() == PluginVerdict::Refused) {
-        reasons.push_back(
-            "plugin " + candidate.manifest->id + " (" + pathText(candidate.path) +
-            ") is refused: " + (candidate.refusal.empty() ? candidate.shadow : candidate.refusal));
+        reasons.push_back(text("plugin %1 (%2) is refused: %3",
+                               {candidate.manifest->id, pathText(candidate.path),
+                                candidate.refusal.empty() ? candidate.shadow : candidate.refusal}));
       } else if (candidate.usable() && entry.kind == kind) {
         names.push_back(entry.id);
       } else if (candidate.usable() && entry.id == id) {
@@ -309,10 +312,13 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
       }
     }
   }
-  const std::string subject =
-      (kind == ComponentKind::Slicing ? "strategy '" : "post-processor '") + std::string(id) + "'";
+  const bool slicing = kind == ComponentKind::Slicing;
+  const std::string name(id);
   if (!reasons.empty()) {
-    throw Error(ErrorCode::PluginRefused, subject + " cannot be used: " + joinText(reasons, "; "),
+    throw Error(ErrorCode::PluginRefused,
+                text(slicing ? "strategy '%1' cannot be used: %2"
+                             : "post-processor '%1' cannot be used: %2",
+                     {name, joinTexts(reasons, "; ")}),
                 {}, "install a plugin that fits, or see `camcli plugins list --verbose`");
   }
   std::vector<std::string> places;
@@ -322,14 +328,18 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
   for (const PluginSearch::Folder& folder : search.folders) {
     places.push_back(pathText(folder.path));
   }
-  std::string hint;
+  Text hint =
+      text("looked in: %1", {places.empty() ? text("nowhere") : Text(joinText(places, ", "))});
   if (!otherKind.empty()) {
-    hint = "it is of kind " + otherKind + "; ";
+    hint = text("it is of kind %1; %2", {otherKind, hint});
   } else if (const auto near = nearestName(id, names)) {
-    hint = "did you mean '" + *near + "'? ";
+    hint = text("did you mean '%1'? %2", {*near, hint});
   }
-  hint += "looked in: " + (places.empty() ? std::string("nowhere") : joinText(places, ", "));
-  throw Error(ErrorCode::PluginMissing, "no plugin provides the " + subject, {}, hint);
+  throw Error(ErrorCode::PluginMissing,
+              text(slicing ? "no plugin provides the strategy '%1'"
+                           : "no plugin provides the post-processor '%1'",
+                   {name}),
+              {}, hint);
 }
 
 template <class Component, class Make>
@@ -348,13 +358,13 @@ std::shared_ptr<const Component> PluginHost::State::create(
     try {
       component = make(candidate);
     } catch (...) {
-      candidate.refusal =
-          "the factory of component '" + std::string(id) + "' failed: " + currentExceptionText();
+      candidate.refusal = text("the factory of component '%1' failed: %2",
+                               {std::string(id), currentExceptionText()});
       resolve();
       continue;
     }
     if (component == nullptr) {
-      candidate.refusal = "the factory of component '" + std::string(id) + "' returned nothing";
+      candidate.refusal = text("the factory of component '%1' returned nothing", {std::string(id)});
       resolve();
       continue;
     }

@@ -19,7 +19,7 @@ namespace wcam::plugin {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& reason) {
+[[noreturn]] void refuse(const Text& reason) {
   throw Error(ErrorCode::PluginRefused, reason);
 }
 
@@ -49,12 +49,12 @@ public:
   LoadedComponents finish() {
     for (const ComponentEntry& entry : manifest_.components) {
       if (!has(entry.id)) {
-        problems_.push_back("component '" + entry.id +
-                            "' of the manifest was not registered by the library");
+        problems_.push_back(
+            text("component '%1' of the manifest was not registered by the library", {entry.id}));
       }
     }
     if (!problems_.empty()) {
-      refuse(joinText(problems_, "; "));
+      refuse(joinTexts(problems_, "; "));
     }
     return std::move(components_);
   }
@@ -65,35 +65,34 @@ private:
   }
 
   void check(const ComponentInfo& info, ComponentKind kind, bool hasFactory) {
-    const std::string name = "component '" + info.id + "'";
     const ComponentEntry* entry = nullptr;
     for (const ComponentEntry& candidate : manifest_.components) {
       entry = candidate.id == info.id ? &candidate : entry;
     }
     if (entry == nullptr) {
-      problems_.push_back(name + " is registered but not named in the manifest");
+      problems_.push_back(
+          text("component '%1' is registered but not named in the manifest", {info.id}));
     } else if (entry->kind != kind) {
-      problems_.push_back(name + " is registered as " + toString(kind) + " but the manifest says " +
-                          toString(entry->kind));
+      problems_.push_back(text("component '%1' is registered as %2 but the manifest says %3",
+                               {info.id, toString(kind), toString(entry->kind)}));
     }
     if (has(info.id)) {
-      problems_.push_back(name + " is registered twice");
+      problems_.push_back(text("component '%1' is registered twice", {info.id}));
     }
     if (!hasFactory) {
-      problems_.push_back(name + " has no factory");
+      problems_.push_back(text("component '%1' has no factory", {info.id}));
     }
     if (info.version < 1) {
-      problems_.push_back(name + " has a version below 1");
+      problems_.push_back(text("component '%1' has a version below 1", {info.id}));
     }
     for (const std::string& problem : schemaProblems(info.params)) {
-      problems_.push_back(name);
-      problems_.back().append(": parameter ").append(problem);
+      problems_.push_back(text("component '%1': parameter %2", {info.id, problem}));
     }
   }
 
   const Manifest& manifest_;
   LoadedComponents components_;
-  std::vector<std::string> problems_;
+  std::vector<Text> problems_;
 };
 
 std::string textOf(const char* text) {
@@ -105,25 +104,28 @@ void checkDescriptor(const wcam_plugin_descriptor* descriptor, const Manifest& m
     refuse("its entry point returned no descriptor");
   }
   if (descriptor->struct_size < sizeof(wcam_plugin_descriptor)) {
-    refuse("its descriptor has " + std::to_string(descriptor->struct_size) + " bytes instead of " +
-           std::to_string(sizeof(wcam_plugin_descriptor)));
+    refuse(text(
+        "its descriptor has %1 bytes instead of %2",
+        {std::to_string(descriptor->struct_size), std::to_string(sizeof(wcam_plugin_descriptor))}));
   }
-  const std::string abi = abiProblem(descriptor->abi_major, descriptor->abi_minor);
+  const Text abi = abiProblem(descriptor->abi_major, descriptor->abi_minor);
   if (!abi.empty()) {
     refuse(abi);
   }
   const std::string fingerprint = textOf(descriptor->cxx_fingerprint);
   if (fingerprint != WCAM_CXX_FINGERPRINT) {
-    refuse("it was built with C++ ABI '" + fingerprint + "', this program with '" +
-           WCAM_CXX_FINGERPRINT + "'; build it with the same compiler and options");
+    refuse(
+        text("it was built with C++ ABI '%1', this program with '%2'; build it with the same "
+             "compiler and options",
+             {fingerprint, WCAM_CXX_FINGERPRINT}));
   }
   if (textOf(descriptor->id) != manifest.id) {
-    refuse("the library says id '" + textOf(descriptor->id) + "', the manifest '" + manifest.id +
-           "'");
+    refuse(
+        text("the library says id '%1', the manifest '%2'", {textOf(descriptor->id), manifest.id}));
   }
   if (textOf(descriptor->version) != manifest.version) {
-    refuse("the library says version '" + textOf(descriptor->version) + "', the manifest '" +
-           manifest.version + "'");
+    refuse(text("the library says version '%1', the manifest '%2'",
+                {textOf(descriptor->version), manifest.version}));
   }
   if (descriptor->register_components == nullptr) {
     refuse("its descriptor has no register function");
@@ -134,14 +136,13 @@ const wcam_plugin_descriptor* callEntry(void* symbol) {
   try {
     return reinterpret_cast<wcam_plugin_entry_function>(symbol)();
   } catch (...) {
-    refuse("its entry point failed: " + currentExceptionText());
+    refuse(text("its entry point failed: %1", {currentExceptionText()}));
   }
 }
 
 /// Refuses what is no shared library, and a library that was cut short: the loader maps it without
 /// looking at the size of the file, and the process dies at the first access beyond its end.
 void checkElf(const std::filesystem::path& library) {
-  const std::string reason = "its library cannot be loaded: the file is ";
   std::ifstream file(library, std::ios::binary | std::ios::ate);
   const std::streamoff size = file.tellg();
   Elf64_Ehdr header{};
@@ -149,7 +150,7 @@ void checkElf(const std::filesystem::path& library) {
   if (!file || !file.read(reinterpret_cast<char*>(&header), sizeof header) ||
       std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64 ||
       header.e_type != ET_DYN || header.e_phentsize != sizeof(Elf64_Phdr)) {
-    refuse(reason + "not a 64-bit ELF library");
+    refuse("its library cannot be loaded: the file is not a 64-bit ELF library");
   }
   file.seekg(static_cast<std::streamoff>(header.e_phoff));
   for (int i = 0; i < header.e_phnum; ++i) {
@@ -158,32 +159,34 @@ void checkElf(const std::filesystem::path& library) {
                           segment.p_offset <= static_cast<std::uint64_t>(size) &&
                           segment.p_filesz <= static_cast<std::uint64_t>(size) - segment.p_offset;
     if (!complete) {
-      refuse(reason + "shorter than its header says");
+      refuse("its library cannot be loaded: the file is shorter than its header says");
     }
   }
 }
 
 }  // namespace
 
-std::string abiProblem(unsigned major, unsigned minor) {
+Text abiProblem(unsigned major, unsigned minor) {
   if (major == WCAM_PLUGIN_ABI_MAJOR && minor <= WCAM_PLUGIN_ABI_MINOR) {
     return {};
   }
   // With an equal major number the minor one is too new.
   const bool newer = major >= WCAM_PLUGIN_ABI_MAJOR;
-  return "it was built for plugin ABI " + abiText(major, minor) + ", this program has " +
-         abiText(WCAM_PLUGIN_ABI_MAJOR, WCAM_PLUGIN_ABI_MINOR) +
-         (newer ? "; install a newer WCAM or an older plugin" : "; rebuild the plugin");
+  return text(newer
+                  ? "it was built for plugin ABI %1, this program has %2; install a newer WCAM or "
+                    "an older plugin"
+                  : "it was built for plugin ABI %1, this program has %2; rebuild the plugin",
+              {abiText(major, minor), abiText(WCAM_PLUGIN_ABI_MAJOR, WCAM_PLUGIN_ABI_MINOR)});
 }
 
-std::string currentExceptionText() {
+Text currentExceptionText() {
   try {
     throw;
   } catch (const Error& error) {
-    return error.hint().empty() ? error.what()
-                                : std::string(error.what()) + " (" + error.hint() + ")";
+    return error.hint().empty() ? error.whatText()
+                                : text("%1 (%2)", {error.whatText(), error.hintText()});
   } catch (const std::exception& error) {
-    return error.what();
+    return std::string(error.what());
   } catch (...) {
     return "an exception of unknown type";
   }
@@ -192,12 +195,12 @@ std::string currentExceptionText() {
 LoadedComponents loadLibrary(const Manifest& manifest, const std::filesystem::path& library) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(library, error)) {
-    refuse("its library " + pathText(library) + " does not exist");
+    refuse(text("its library %1 does not exist", {pathText(library)}));
   }
   checkElf(library);
   void* handle = dlopen(std::filesystem::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
-    refuse("its library cannot be loaded: " + textOf(dlerror()));
+    refuse(text("its library cannot be loaded: %1", {textOf(dlerror())}));
   }
   void* symbol = dlsym(handle, WCAM_PLUGIN_ENTRY_NAME);
   if (symbol == nullptr) {
@@ -209,7 +212,7 @@ LoadedComponents loadLibrary(const Manifest& manifest, const std::filesystem::pa
   try {
     descriptor->register_components(static_cast<Registrar*>(&registrar));
   } catch (...) {
-    refuse("its register function failed: " + currentExceptionText());
+    refuse(text("its register function failed: %1", {currentExceptionText()}));
   }
   return registrar.finish();
 }

@@ -33,7 +33,7 @@ struct LoadedComponents {
 LoadedComponents loadLibrary(const Manifest& manifest, const std::filesystem::path& library);
 
 /// Why a plugin of this ABI does not fit, or empty.
-std::string abiProblem(unsigned major, unsigned minor);
+Text abiProblem(unsigned major, unsigned minor);
 
 /// Wrappers that let no foreign exception and no bad result pass.
 std::shared_ptr<const SlicingStrategy> guardSlicing(std::shared_ptr<const SlicingStrategy> strategy,
@@ -44,6 +44,6 @@ std::shared_ptr<const PostProcessor> guardPost(std::shared_ptr<const PostProcess
                                                const std::string& component);
 
 /// Text of the exception that is being handled, for any type.
-std::string currentExceptionText();
+Text currentExceptionText();
 
 }  // namespace wcam::plugin

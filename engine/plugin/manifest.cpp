@@ -61,7 +61,7 @@ class Reader {
 public:
   std::vector<ParamProblem> problems;
 
-  void problem(const std::string& path, const std::string& message) {
+  void problem(const std::string& path, const Text& message) {
     problems.push_back({path, message, false});
   }
 
@@ -73,13 +73,13 @@ public:
       return {};
     }
     if (!value->isString()) {
-      problem(path, std::string("expected a text, got ") + toString(value->type()));
+      problem(path, wcam::text("expected a text, got %1", {toString(value->type())}));
       return {};
     }
     const std::string& result = value->asString();
     if (trimText(result).empty() || result.size() > kMaxTextLength || !isPrintable(result)) {
-      problem(path, "must have 1 to " + std::to_string(kMaxTextLength) +
-                        " characters and no control characters");
+      problem(path, wcam::text("must have 1 to %1 characters and no control characters",
+                               {std::to_string(kMaxTextLength)}));
       return {};
     }
     return result;
@@ -88,9 +88,10 @@ public:
   std::string id(const Value& object, const std::string& path) {
     std::string result = text(object, "id", path);
     if (!result.empty() && (!isValidId(result) || result.find('.') == std::string::npos)) {
-      problem(path, "'" + result +
-                        "' is not a reverse-DNS id: 1 to 64 characters of a-z 0-9 _ - . with at "
-                        "least one dot, such as com.acme.post.demo");
+      problem(path,
+              wcam::text("'%1' is not a reverse-DNS id: 1 to 64 characters of a-z 0-9 _ - . with "
+                         "at least one dot, such as com.acme.post.demo",
+                         {result}));
       return {};
     }
     return result;
@@ -103,8 +104,9 @@ public:
     for (const auto& [key, value] : object.asObject()) {
       if (!key.starts_with("x-") && std::find(known.begin(), known.end(), key) == known.end()) {
         const auto near = nearestName(key, std::vector<std::string>(known.begin(), known.end()));
-        problem(path + key, "is not a key of a manifest" +
-                                (near ? "; did you mean '" + *near + "'?" : std::string()));
+        problem(path + key,
+                near ? wcam::text("is not a key of a manifest; did you mean '%1'?", {*near})
+                     : wcam::text("is not a key of a manifest"));
       }
     }
   }
@@ -117,7 +119,7 @@ void readAbi(Reader& reader, const Value& root, Manifest& manifest) {
   }
   const auto numbers = dottedNumbers(abi, 2);
   if (!numbers) {
-    reader.problem("abi", "'" + abi + "' is not MAJOR.MINOR, such as 1.0");
+    reader.problem("abi", wcam::text("'%1' is not MAJOR.MINOR, such as 1.0", {abi}));
     return;
   }
   manifest.abiMajor = numbers->at(0);
@@ -129,8 +131,8 @@ void readLibrary(Reader& reader, const Value& root, Manifest& manifest) {
   if (!manifest.library.empty() &&
       (manifest.library.find('/') != std::string::npos || !manifest.library.ends_with(".so") ||
        manifest.library == ".so")) {
-    reader.problem("library",
-                   "'" + manifest.library + "' is not the name of a .so file beside the manifest");
+    reader.problem("library", wcam::text("'%1' is not the name of a .so file beside the manifest",
+                                         {manifest.library}));
   }
 }
 
@@ -138,9 +140,9 @@ void readComponents(Reader& reader, const Value& root, Manifest& manifest) {
   const Value* list = root.find("components");
   if (list == nullptr || !list->isArray() || list->size() == 0 || list->size() > kMaxComponents) {
     reader.problem("components", list == nullptr
-                                     ? "is missing"
-                                     : "expected a list of 1 to " + std::to_string(kMaxComponents) +
-                                           " components");
+                                     ? wcam::text("is missing")
+                                     : wcam::text("expected a list of 1 to %1 components",
+                                                  {std::to_string(kMaxComponents)}));
     return;
   }
   std::set<std::string> seen;
@@ -148,7 +150,7 @@ void readComponents(Reader& reader, const Value& root, Manifest& manifest) {
     const Value& item = list->asArray()[i];
     const std::string path = "components[" + std::to_string(i) + "]";
     if (!item.isObject()) {
-      reader.problem(path, std::string("expected an object, got ") + toString(item.type()));
+      reader.problem(path, wcam::text("expected an object, got %1", {toString(item.type())}));
       continue;
     }
     reader.unknownKeys(item, kComponentKeys, path + ".");
@@ -159,10 +161,10 @@ void readComponents(Reader& reader, const Value& root, Manifest& manifest) {
     if (const auto known = kindFrom(kind)) {
       entry.kind = *known;
     } else if (!kind.empty()) {
-      reader.problem(path + ".kind", "'" + kind + "' is not one of: slicing, post");
+      reader.problem(path + ".kind", wcam::text("'%1' is not one of: slicing, post", {kind}));
     }
     if (!entry.id.empty() && !seen.insert(entry.id).second) {
-      reader.problem(path + ".id", "'" + entry.id + "' appears twice");
+      reader.problem(path + ".id", wcam::text("'%1' appears twice", {entry.id}));
     }
     manifest.components.push_back(std::move(entry));
   }
@@ -204,12 +206,12 @@ Manifest parseManifest(std::string_view text, const std::string& context) {
   try {
     root = parseJson(text, context);
   } catch (const Error& error) {
-    throw Error(ErrorCode::PluginRefused, error.message(), error.context(),
+    throw Error(ErrorCode::PluginRefused, error.messageText(), error.contextText(),
                 "the manifest must be a JSON object; wcam_add_plugin() writes it");
   }
   if (!root.isObject()) {
     throw Error(ErrorCode::PluginRefused,
-                std::string("expected an object, got ") + toString(root.type()), context);
+                wcam::text("expected an object, got %1", {toString(root.type())}), context);
   }
   Reader reader;
   Manifest manifest;
@@ -218,7 +220,7 @@ Manifest parseManifest(std::string_view text, const std::string& context) {
   manifest.name = reader.text(root, "name", "name");
   manifest.version = reader.text(root, "version", "version");
   if (!manifest.version.empty() && !dottedNumbers(manifest.version, 3)) {
-    reader.problem("version", "'" + manifest.version + "' is not MAJOR.MINOR.PATCH");
+    reader.problem("version", wcam::text("'%1' is not MAJOR.MINOR.PATCH", {manifest.version}));
   }
   manifest.vendor = reader.text(root, "vendor", "vendor");
   manifest.licence = reader.text(root, "licence", "licence");
@@ -236,13 +238,14 @@ Manifest readManifest(const std::filesystem::path& file) {
   const auto size = std::filesystem::file_size(file, error);
   if (!error && size > kMaxManifestSize) {
     throw Error(ErrorCode::PluginRefused,
-                "is longer than " + std::to_string(kMaxManifestSize) + " bytes", name);
+                wcam::text("is longer than %1 bytes", {std::to_string(kMaxManifestSize)}), name);
   }
   std::string text;
   try {
     text = readFile(file);
   } catch (const Error& problem) {
-    throw Error(ErrorCode::PluginRefused, problem.message(), problem.context(), problem.hint());
+    throw Error(ErrorCode::PluginRefused, problem.messageText(), problem.contextText(),
+                problem.hintText());
   }
   return parseManifest(text, name);
 }

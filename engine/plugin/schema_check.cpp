@@ -69,7 +69,7 @@ std::vector<std::string> schemaProblems(const ParamSchema& schema) {
     checkCondition(def, schema, problems);
     for (const ParamProblem& problem : schema.validate(Value::object({{key, def.defaultValue}}))) {
       problems.push_back(problem.path + ": its default " + toCompactJson(def.defaultValue) + " " +
-                         problem.message);
+                         problem.message.str());
     }
   }
   return problems;

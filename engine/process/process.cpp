@@ -249,8 +249,9 @@ struct Starved {
       constexpr double kPercent = 100.0;
       context.add({Severity::Warning,
                    "process.section_too_small",
-                   std::to_string(count) + " points get only " + formatFixed(kPercent * worst, 0) +
-                       " % or more of the wire that the narrowest bead of their height needs",
+                   text("%1 points get only %2 % or more of the wire that the narrowest bead of "
+                        "their height needs",
+                        {std::to_string(count), formatFixed(kPercent * worst, 0)}),
                    "lower the speed or raise the wire feed in the edit, or let the other follow",
                    {{}, layer, bead, point},
                    {{"points", static_cast<double>(count)}, {"worst_ratio", worst}}});
@@ -300,13 +301,11 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
       context.add(
           {Severity::Warning,
            "process.height_out_of_range",
-           std::to_string(heights.count) +
-               " points have a layer height outside the process window, worst " +
-               formatFixed(heights.worst, 3) + " mm",
-           "change the layer step or the strategy so that the distance between layers stays "
-           "between " +
-               formatFixed(params.heightMin.value(), 2) + " and " + formatFixed(worstLimit, 2) +
-               " mm",
+           text("%1 points have a layer height outside the process window, worst %2 mm",
+                {std::to_string(heights.count), formatFixed(heights.worst, 3)}),
+           text("change the layer step or the strategy so that the distance between layers stays "
+                "between %1 and %2 mm",
+                {formatFixed(params.heightMin.value(), 2), formatFixed(worstLimit, 2)}),
            {{}, layer, heights.bead, heights.point},
            {{"points", static_cast<double>(heights.count)}, {"worst_height_mm", heights.worst}}});
     }
@@ -314,9 +313,9 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
       context.add(
           {Severity::Warning,
            "process.speed_clamped",
-           std::to_string(speeds.count) +
-               " points want a travel speed outside the process window, worst " +
-               formatFixed(speeds.worst, 2) + " mm/s; the window's limit is used",
+           text("%1 points want a travel speed outside the process window, worst %2 mm/s; the "
+                "window's limit is used",
+                {std::to_string(speeds.count), formatFixed(speeds.worst, 2)}),
            "change the wire feed speed, the layer step or the window",
            {{}, layer, speeds.bead, speeds.point},
            {{"points", static_cast<double>(speeds.count)}, {"worst_speed_mm_s", speeds.worst}}});

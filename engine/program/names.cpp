@@ -83,8 +83,8 @@ std::vector<std::string> partNames(std::string_view text,
   const std::size_t width = std::to_string(parts).size();
   if (maxLength < kShortestName + width + 1) {
     throw Error(ErrorCode::InvalidArgument,
-                "names of " + std::to_string(maxLength) + " characters have no room for " +
-                    std::to_string(parts) + " numbered programs",
+                wcam::text("names of %1 characters have no room for %2 numbered programs",
+                           {std::to_string(maxLength), std::to_string(parts)}),
                 {}, "allow longer names or more points per program");
   }
   const std::string main = controllerName(text, maxLength);

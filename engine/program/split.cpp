@@ -62,8 +62,8 @@ ProgramParts splitProgram(const Program& program, int maxTargets) {
     const auto count = static_cast<std::size_t>(targetCount(action));
     if (limit > 0 && count > limit) {
       throw Error(ErrorCode::InvalidArgument,
-                  "a move needs " + std::to_string(count) + " positions, a program may have " +
-                      std::to_string(limit),
+                  text("a move needs %1 positions, a program may have %2",
+                       {std::to_string(count), std::to_string(limit)}),
                   program.name, "allow more points per program");
     }
     while (limit > 0 && used + count > limit) {

@@ -60,8 +60,8 @@ public:
 private:
   void finding(Severity severity,
                const std::string& rule,
-               const std::string& message,
-               const std::string& remedy) {
+               const Text& message,
+               const Text& remedy) {
     const std::string code = "program." + rule;
     const auto [it, first] = found_.try_emplace(code);
     if (first) {
@@ -76,13 +76,14 @@ private:
     it->second.data.front().second += 1.0;
   }
 
-  void violation(const std::string& rule, const std::string& message, const std::string& remedy) {
+  void violation(const std::string& rule, const Text& message, const Text& remedy) {
     finding(Severity::Violation, rule, message, remedy);
   }
 
-  void requireFinite(bool finite, const std::string& what) {
+  void requireFinite(bool finite, const Text& what) {
     if (!finite) {
-      violation("number_not_finite", what + " is not finite", "report this: a stage before failed");
+      violation("number_not_finite", text("%1 is not finite", {what}),
+                "report this: a stage before failed");
     }
   }
 
@@ -91,9 +92,9 @@ private:
     const int joints = cell.robotJoints + cell.positionerJoints;
     if (cell.robotJoints < 1 || cell.positionerJoints < 0 || joints > kMaxJoints) {
       violation("cell",
-                "a cell has 1 to " + std::to_string(kMaxJoints) + " joints, not " +
-                    std::to_string(cell.robotJoints) + " + " +
-                    std::to_string(cell.positionerJoints),
+                text("a cell has 1 to %1 joints, not %2 + %3",
+                     {std::to_string(kMaxJoints), std::to_string(cell.robotJoints),
+                      std::to_string(cell.positionerJoints)}),
                 "correct the cell");
     }
     const auto fits = [joints](std::size_t size) {
@@ -107,7 +108,7 @@ private:
     }
     if (!isConfiguration(cell.configuration)) {
       violation("configuration",
-                "configuration '" + cell.configuration + "' is not one of N/F, U/D, T/B",
+                text("configuration '%1' is not one of N/F, U/D, T/B", {cell.configuration}),
                 "write it like NUT");
     }
   }
@@ -116,8 +117,8 @@ private:
     const auto joints = program_.cell.robotJoints + program_.cell.positionerJoints;
     if (target.joints.size() != joints) {
       violation("joint_count",
-                "a position has " + std::to_string(target.joints.size()) + " joints, the cell " +
-                    std::to_string(joints),
+                text("a position has %1 joints, the cell %2",
+                     {std::to_string(target.joints.size()), std::to_string(joints)}),
                 "plan the motion again with this cell");
     }
     requireFinite(target.joints.allFinite(), "a joint value");
@@ -130,7 +131,7 @@ private:
     }
     if (!target.configuration.empty() && !isConfiguration(target.configuration)) {
       violation("configuration",
-                "configuration '" + target.configuration + "' is not one of N/F, U/D, T/B",
+                text("configuration '%1' is not one of N/F, U/D, T/B", {target.configuration}),
                 "write it like NUT");
     }
   }
@@ -266,7 +267,8 @@ void requireValid(const Program& program) {
   }
   if (!lines.empty()) {
     throw Error(ErrorCode::JobFailed,
-                "the program cannot be printed:\n  " + joinText(lines, "\n  "), program.name);
+                text("the program cannot be printed:\n  %1", {joinText(lines, "\n  ")}),
+                program.name);
   }
 }
 

@@ -13,7 +13,7 @@ namespace wcam::project {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& message, const std::string& hint = {}) {
+[[noreturn]] void refuse(const Text& message, const Text& hint = {}) {
   throw Error(ErrorCode::InvalidArgument, message, "--set", hint);
 }
 
@@ -98,14 +98,17 @@ public:
 
 private:
   [[noreturn]] void refuseUnknown(const std::string& key) const {
-    const std::string missing = "no plugin provides " + joinText(missing_, ", ");
+    const std::string missing = joinText(missing_, ", ");
     if (nodeMatched_ && !missing_.empty()) {
-      throw Error(ErrorCode::PluginMissing, "'" + key + "' cannot be set: " + missing, "--set",
+      throw Error(ErrorCode::PluginMissing,
+                  wcam::text("'%1' cannot be set: no plugin provides %2", {key, missing}), "--set",
                   "install the plugin; `camcli plugins list` shows what there is");
     }
-    refuse("'" + key + "' is no parameter of this project" + didYouMean(key, known_) +
-               (missing_.empty() ? "" : " (" + missing + ")"),
-           "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");
+    const Text unknown =
+        didYouMean(wcam::text("'%1' is no parameter of this project", {key}), key, known_);
+    refuse(
+        missing_.empty() ? unknown : wcam::text("%1 (no plugin provides %2)", {unknown, missing}),
+        "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");
   }
 
   /// Nodes of a list, none when the file has no such list.
@@ -134,7 +137,8 @@ private:
       for (const Target& target : found) {
         keys.push_back(target.fullKey());
       }
-      refuse("'" + key + "' has more than one meaning", "write one of: " + joinText(keys, ", "));
+      refuse(wcam::text("'%1' has more than one meaning", {key}),
+             wcam::text("write one of: %1", {joinText(keys, ", ")}));
     }
     return found;
   }
@@ -148,9 +152,10 @@ private:
         const std::size_t before = found.size();
         inNode(type, node, key, false, found);
         if (found.size() > before + 1) {
-          refuse("'" + key + "' has more than one meaning in " + type.noun + " '" +
-                     node.at("id").asString() + "'",
-                 "write one of: " + found[before].fullKey() + ", " + found[before + 1].fullKey());
+          refuse(wcam::text("'%1' has more than one meaning in %2 '%3'",
+                            {key, type.noun, node.at("id").asString()}),
+                 wcam::text("write one of: %1, %2",
+                            {found[before].fullKey(), found[before + 1].fullKey()}));
         }
       }
       if (!found.empty()) {
@@ -252,14 +257,14 @@ std::optional<Command> editCommand(const Document& document,
         for (const ParamDef& def : schema.defs()) {
           keys.push_back(def.info.key);
         }
-        refuse("the edit '" + edit.id + "' has no parameter '" + name + "'" +
-               didYouMean(name, keys));
+        refuse(didYouMean(wcam::text("the edit '%1' has no parameter '%2'", {edit.id, name}), name,
+                          keys));
       }
       return Command{"edit.set_param",
                      args.set("key", name).set("value", schema.parse(name, text))};
     }
-    refuse("'" + fullKey + "' names no edit of operation '" + operation.id + "'" +
-           didYouMean(key.substr(prefix.size(), key.rfind('.') - prefix.size()), ids));
+    refuse(didYouMean(wcam::text("'%1' names no edit of operation '%2'", {fullKey, operation.id}),
+                      key.substr(prefix.size(), key.rfind('.') - prefix.size()), ids));
   }
   return std::nullopt;
 }
@@ -324,7 +329,7 @@ std::vector<Command> commandsOfSetting(const Document& document,
   const std::size_t equal = setting.find('=');
   const std::string key(trimText(setting.substr(0, equal)));
   if (equal == std::string_view::npos || key.empty()) {
-    refuse("'" + std::string(setting) + "' is no setting",
+    refuse(wcam::text("'%1' is no setting", {std::string(setting)}),
            "write KEY=VALUE, for example step=2.5mm");
   }
   const std::string text(trimText(setting.substr(equal + 1)));
@@ -336,7 +341,8 @@ std::vector<Command> commandsOfSetting(const Document& document,
     try {
       addCommands(target, text, commands);
     } catch (const Error& error) {
-      throw Error(error.code(), error.message(), "--set " + target.fullKey(), error.hint());
+      throw Error(error.code(), error.messageText(), wcam::text("--set %1", {target.fullKey()}),
+                  error.hintText());
     }
   }
   return commands;

@@ -29,10 +29,10 @@ struct Definition {
   std::vector<Arg> args;
   /// The new tree. Arguments have their types; what the tree must keep is checked afterwards.
   std::function<Value(const Document&, const Value& args)> apply;
-  std::function<std::string(const Value& args)> label;
+  std::function<Text(const Value& args)> label;
 };
 
-[[noreturn]] void refuse(const std::string& message, const std::string& hint = {});
+[[noreturn]] void refuse(const Text& message, const Text& hint = {});
 
 std::string textArg(const Value& args, const char* key);
 std::vector<std::string> idsOf(const Value& tree, const char* list);

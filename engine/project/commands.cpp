@@ -16,7 +16,7 @@ namespace wcam::project {
 
 namespace detail {
 
-void refuse(const std::string& message, const std::string& hint) {
+void refuse(const Text& message, const Text& hint) {
   throw Error(ErrorCode::InvalidArgument, message, {}, hint);
 }
 
@@ -39,7 +39,7 @@ std::size_t indexOf(const Value& tree, const NodeType& type, const std::string& 
   const std::vector<std::string> ids = idsOf(tree, type.list);
   const auto found = std::find(ids.begin(), ids.end(), id);
   if (found == ids.end()) {
-    refuse(std::string("there is no ") + type.noun + " '" + id + "'" + didYouMean(id, ids));
+    refuse(didYouMean(text("there is no %1 '%2'", {type.noun, id}), id, ids));
   }
   return static_cast<std::size_t>(found - ids.begin());
 }
@@ -93,7 +93,7 @@ Value addNode(const NodeType& type, const Document& document, const Value& args)
   const std::string& id = args.at("id").asString();
   const std::vector<std::string> ids = idsOf(tree, type.list);
   if (std::find(ids.begin(), ids.end(), id) != ids.end()) {
-    refuse(std::string("there is a ") + type.noun + " '" + id + "' already", "choose another id");
+    refuse(text("there is a %1 '%2' already", {type.noun, id}), "choose another id");
   }
   Value node = Value::object();
   for (const std::string& key : keyOrder(type)) {
@@ -106,7 +106,7 @@ Value addNode(const NodeType& type, const Document& document, const Value& args)
   if (const Value* wanted = args.find("index")) {
     index = static_cast<std::size_t>(wanted->asInteger());
     if (index > nodes.size()) {
-      refuse("index: the list has only " + std::to_string(nodes.size()) + " entries");
+      refuse(text("index: the list has only %1 entries", {std::to_string(nodes.size())}));
     }
   }
   nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(index), std::move(node));
@@ -117,16 +117,17 @@ Value removeNode(const NodeType& type, const Document& document, const Value& ar
   Value tree = document.tree();
   const std::string& id = args.at("id").asString();
   const std::size_t index = indexOf(tree, type, id);
-  std::vector<std::string> users;
-  forReferences(tree, type.list,
-                [&](const NodeType& user, std::size_t i, const Field&, const Value& reference) {
-                  if (refersTo(reference, id)) {
-                    users.push_back(std::string(user.noun) + " '" +
-                                    tree.at(user.list).asArray()[i].at("id").asString() + "'");
-                  }
-                });
+  std::vector<Text> users;
+  forReferences(
+      tree, type.list,
+      [&](const NodeType& user, std::size_t i, const Field&, const Value& reference) {
+        if (refersTo(reference, id)) {
+          users.push_back(
+              text("%1 '%2'", {user.noun, tree.at(user.list).asArray()[i].at("id").asString()}));
+        }
+      });
   if (!users.empty()) {
-    refuse(std::string(type.noun) + " '" + id + "' is used by " + joinText(users, ", "),
+    refuse(text("%1 '%2' is used by %3", {type.noun, id, joinTexts(users, ", ")}),
            "change or remove what uses it first");
   }
   auto& nodes = mutableList(tree, type).mutableArray();
@@ -158,8 +159,7 @@ Value renameNode(const NodeType& type, const Document& document, const Value& ar
   const std::vector<std::string> ids = idsOf(tree, type.list);
   mutableNode(tree, type, args).set("id", to);
   if (id != to.asString() && std::find(ids.begin(), ids.end(), to.asString()) != ids.end()) {
-    refuse(std::string("there is a ") + type.noun + " '" + to.asString() + "' already",
-           "choose another id");
+    refuse(text("there is a %1 '%2' already", {type.noun, to.asString()}), "choose another id");
   }
   forReferences(document.tree(), type.list,
                 [&](const NodeType& user, std::size_t i, const Field& field, const Value& old) {
@@ -184,7 +184,7 @@ Value moveNode(const NodeType& type, const Document& document, const Value& args
   const auto to = static_cast<std::size_t>(args.at("index").asInteger());
   auto& nodes = mutableList(tree, type).mutableArray();
   if (to >= nodes.size()) {
-    refuse("index: the list has only " + std::to_string(nodes.size()) + " entries");
+    refuse(text("index: the list has only %1 entries", {std::to_string(nodes.size())}));
   }
   const Value node = nodes[from];
   nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(from));
@@ -208,7 +208,7 @@ Value setParam(const NodeType& type, const Document& document, const Value& args
   const Value* given = args.find("section");
   const std::string section = given != nullptr ? given->asString() : sections.front();
   if (std::find(sections.begin(), sections.end(), section) == sections.end()) {
-    refuse("section: '" + section + "' is not one of: " + joinText(sections, ", "));
+    refuse(text("section: '%1' is not one of: %2", {section, joinText(sections, ", ")}));
   }
   const std::string& key = args.at("key").asString();
   if (key.empty()) {
@@ -241,39 +241,42 @@ void defineNodeCommands(const NodeType& type, std::vector<Definition>& all) {
     setArgs.push_back({field.key, field.type, false, field.help, true});
   }
   addArgs.push_back({"index", FieldType::Index, false, "place in the list; none: at the end"});
-  const auto named = [noun](const char* verb) {
-    return
-        [noun, verb](const Value& args) { return verb + (" " + noun) + " " + textArg(args, "id"); };
+  const auto named = [&type](const char* pattern) {
+    return [&type, pattern](const Value& args) {
+      return text(pattern, {type.noun, textArg(args, "id")});
+    };
   };
-  all.push_back({noun + ".add", "Adds a " + noun + ".", addArgs, bind(addNode), named("Add")});
+  all.push_back(
+      {noun + ".add", "Adds a " + noun + ".", addArgs, bind(addNode), named("Add %1 %2")});
   all.push_back({noun + ".remove",
                  "Removes a " + noun + " that nothing uses.",
                  {id},
                  bind(removeNode),
-                 named("Remove")});
-  all.push_back({noun + ".set", "Sets keys of a " + noun + "; null removes a key.", setArgs,
-                 bind(setNode), [noun](const Value& args) {
-                   std::vector<std::string> keys;
-                   for (const auto& [key, value] : args.asObject()) {
-                     if (key != "id") {
-                       keys.push_back(key);
-                     }
-                   }
-                   return "Set " + joinText(keys, ", ") + " of " + noun + " " + textArg(args, "id");
-                 }});
-  all.push_back({noun + ".rename",
-                 "Gives a " + noun + " another id, also where it is used.",
-                 {id, {"to", FieldType::Id, true, "the new id"}},
-                 bind(renameNode),
-                 [noun](const Value& args) {
-                   return "Rename " + noun + " " + textArg(args, "id") + " to " +
-                          textArg(args, "to");
-                 }});
+                 named("Remove %1 %2")});
+  all.push_back(
+      {noun + ".set", "Sets keys of a " + noun + "; null removes a key.", setArgs, bind(setNode),
+       [&type](const Value& args) {
+         std::vector<std::string> keys;
+         for (const auto& [key, value] : args.asObject()) {
+           if (key != "id") {
+             keys.push_back(key);
+           }
+         }
+         return text("Set %1 of %2 %3", {joinText(keys, ", "), type.noun, textArg(args, "id")});
+       }});
+  all.push_back(
+      {noun + ".rename",
+       "Gives a " + noun + " another id, also where it is used.",
+       {id, {"to", FieldType::Id, true, "the new id"}},
+       bind(renameNode),
+       [&type](const Value& args) {
+         return text("Rename %1 %2 to %3", {type.noun, textArg(args, "id"), textArg(args, "to")});
+       }});
   all.push_back({noun + ".move",
                  "Moves a " + noun + " to another place in its list.",
                  {id, {"index", FieldType::Index, true, "the new place"}},
                  bind(moveNode),
-                 named("Move")});
+                 named("Move %1 %2")});
   if (const auto sections = sectionsOf(type); !sections.empty()) {
     all.push_back({noun + ".set_param",
                    "Sets one parameter of a " + noun + "; null removes it.",
@@ -284,7 +287,7 @@ void defineNodeCommands(const NodeType& type, std::vector<Definition>& all) {
                     {"value", FieldType::Any, true, "in file units", true}},
                    bind(setParam),
                    [](const Value& args) {
-                     return "Set " + textArg(args, "key") + " of " + textArg(args, "id");
+                     return text("Set %1 of %2", {textArg(args, "key"), textArg(args, "id")});
                    }});
   }
 }
@@ -313,7 +316,7 @@ Value pinFiles(const Document& document, const Value& args) {
   }
   for (const auto& [path, hash] : hashes.asObject()) {
     if (std::find(known.begin(), known.end(), path) == known.end()) {
-      refuse("files: the project uses no file '" + path + "'" + didYouMean(path, known));
+      refuse(didYouMean(text("files: the project uses no file '%1'", {path}), path, known));
     }
   }
   return tree;
@@ -325,8 +328,8 @@ std::vector<Definition> defineAll() {
     defineNodeCommands(type, all);
   }
   defineEditCommands(all);
-  const auto fixed = [](const char* text) {
-    return [text](const Value&) { return std::string(text); };
+  const auto fixed = [](const char* label) {
+    return [label](const Value&) { return text(label); };
   };
   all.push_back({"cell.set",
                  "Chooses the cell file.",
@@ -382,7 +385,7 @@ const Definition* definitionOf(std::string_view id) {
 /// All wrong, unknown and missing arguments at once.
 void checkArgs(const Definition& definition, const Value& args) {
   if (!args.isObject()) {
-    refuse(std::string("the arguments must be an object, got ") + toString(args.type()));
+    refuse(text("the arguments must be an object, got %1", {toString(args.type())}));
   }
   std::vector<ParamProblem> problems;
   checkWritable(args, {}, problems);
@@ -400,7 +403,7 @@ void checkArgs(const Definition& definition, const Value& args) {
   }
   for (const auto& [key, value] : args.asObject()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      problems.push_back({key, "is no argument of this command" + didYouMean(key, keys), true});
+      problems.push_back({key, didYouMean("is no argument of this command", key, keys), true});
     }
   }
   throwProblems(problems, ErrorCode::InvalidArgument, {});
@@ -523,19 +526,19 @@ Document apply(const Document& document, const Command& command) {
       ids.push_back(known.id);
     }
     const auto near = nearestName(command.id, ids);
-    throw Error(ErrorCode::InvalidArgument, "'" + command.id + "' is no command", {},
-                near ? "did you mean '" + *near + "'?" : "see the list of commands");
+    throw Error(ErrorCode::InvalidArgument, text("'%1' is no command", {command.id}), {},
+                near ? text("did you mean '%1'?", {*near}) : text("see the list of commands"));
   }
   try {
     checkArgs(*definition, command.args);
     Value tree = definition->apply(document, command.args);
     return tree == document.tree() ? document : Document::parse(std::move(tree));
   } catch (const Error& error) {
-    throw Error(ErrorCode::InvalidArgument, error.message(), command.id, error.hint());
+    throw Error(ErrorCode::InvalidArgument, error.messageText(), command.id, error.hintText());
   }
 }
 
-std::string labelOf(const Command& command) {
+Text labelOf(const Command& command) {
   const Definition* definition = definitionOf(command.id);
   return definition != nullptr && command.args.isObject() ? definition->label(command.args)
                                                           : command.id;

@@ -58,26 +58,26 @@ Document Document::parse(Value tree, const std::string& context) {
   throwProblems(problems, ErrorCode::ProjectInvalid, context);
   if (version < kFormatVersion) {
     throw Error(ErrorCode::ProjectInvalid,
-                "format version " + std::to_string(version) + " is not known", context,
-                "the oldest version is " + std::to_string(kFormatVersion));
+                wcam::text("format version %1 is not known", {std::to_string(version)}), context,
+                wcam::text("the oldest version is %1", {std::to_string(kFormatVersion)}));
   }
   ReadModel model = readModel(tree);
   auto state = std::make_shared<State>();
   if (version > kFormatVersion) {
     state->readOnly = true;
-    state->findings.push_back({Severity::Warning,
-                               "project.newer_version",
-                               "the project was written by a newer version (format " +
-                                   std::to_string(version) + ", this program knows " +
-                                   std::to_string(kFormatVersion) +
-                                   "): it can be looked at, not changed",
-                               "open it with the newer version of WCAM",
-                               {},
-                               {}});
+    state->findings.push_back(
+        {Severity::Warning,
+         "project.newer_version",
+         wcam::text("the project was written by a newer version (format %1, "
+                    "this program knows %2): it can be looked at, not changed",
+                    {std::to_string(version), std::to_string(kFormatVersion)}),
+         "open it with the newer version of WCAM",
+         {},
+         {}});
     for (const ParamProblem& problem : model.problems) {
       state->findings.push_back({Severity::Warning,
                                  "project.not_understood",
-                                 problem.path + ": " + problem.message,
+                                 wcam::text("%1: %2", {problem.path, problem.message}),
                                  "open it with the newer version of WCAM",
                                  {},
                                  {}});

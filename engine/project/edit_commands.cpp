@@ -31,8 +31,8 @@ std::size_t editIndex(const Value& edits, const Value& args) {
       return i;
     }
   }
-  refuse("operation '" + args.at("operation").asString() + "' has no edit '" + id + "'" +
-         didYouMean(id, ids));
+  refuse(didYouMean(text("operation '%1' has no edit '%2'", {args.at("operation").asString(), id}),
+                    id, ids));
 }
 
 /// Edits are checked with their parameters at once: their schemas are the engine's own.
@@ -53,7 +53,7 @@ Value addEdit(const Document& document, const Value& args) {
   const Value& id = args.at("id");
   for (const Value& known : edits.asArray()) {
     if (known.at("id") == id) {
-      refuse("there is an edit '" + id.asString() + "' already", "choose another id");
+      refuse(text("there is an edit '%1' already", {id.asString()}), "choose another id");
     }
   }
   Value edit = Value::object();
@@ -67,7 +67,7 @@ Value addEdit(const Document& document, const Value& args) {
   const std::size_t index =
       wanted != nullptr ? static_cast<std::size_t>(wanted->asInteger()) : edits.size();
   if (index > edits.size()) {
-    refuse("index: the list has only " + std::to_string(edits.size()) + " entries");
+    refuse(text("index: the list has only %1 entries", {std::to_string(edits.size())}));
   }
   auto& list = edits.mutableArray();
   list.insert(list.begin() + static_cast<std::ptrdiff_t>(index), std::move(edit));
@@ -136,7 +136,7 @@ Value moveEdit(const Document& document, const Value& args) {
   const std::size_t from = editIndex(edits, args);
   const auto to = static_cast<std::size_t>(args.at("index").asInteger());
   if (to >= edits.size()) {
-    refuse("index: the list has only " + std::to_string(edits.size()) + " entries");
+    refuse(text("index: the list has only %1 entries", {std::to_string(edits.size())}));
   }
   auto& list = edits.mutableArray();
   const Value edit = list[from];
@@ -157,16 +157,15 @@ void defineEditCommands(std::vector<Definition>& all) {
     setArgs.push_back({field.key, field.type, false, field.help, !field.required});
   }
   addArgs.push_back({"index", FieldType::Index, false, "place in the list; none: at the end"});
-  const auto named = [](const char* verb) {
-    return [verb](const Value& args) {
-      return std::string(verb) + " edit " + textArg(args, "id") + " of " +
-             textArg(args, "operation");
+  const auto named = [](const char* pattern) {
+    return [pattern](const Value& args) {
+      return text(pattern, {textArg(args, "id"), textArg(args, "operation")});
     };
   };
   all.push_back({"edit.add", "Adds an edit of the toolpath to an operation.", addArgs, addEdit,
-                 named("Add")});
-  all.push_back(
-      {"edit.set", "Sets keys of an edit; null removes a key.", setArgs, setEdit, named("Set")});
+                 named("Add edit %1 of %2")});
+  all.push_back({"edit.set", "Sets keys of an edit; null removes a key.", setArgs, setEdit,
+                 named("Set edit %1 of %2")});
   all.push_back({"edit.set_param",
                  "Sets one parameter of an edit; null removes it.",
                  {operation,
@@ -175,19 +174,23 @@ void defineEditCommands(std::vector<Definition>& all) {
                   {"value", FieldType::Any, true, "in file units", true}},
                  setEditParam,
                  [](const Value& args) {
-                   return "Set " + textArg(args, "key") + " of edit " + textArg(args, "id");
+                   return text("Set %1 of edit %2", {textArg(args, "key"), textArg(args, "id")});
                  }});
-  all.push_back({"edit.remove", "Removes an edit.", {operation, id}, removeEdit, named("Remove")});
+  all.push_back({"edit.remove",
+                 "Removes an edit.",
+                 {operation, id},
+                 removeEdit,
+                 named("Remove edit %1 of %2")});
   all.push_back({"edit.rename",
                  "Gives an edit another id.",
                  {operation, id, {"to", FieldType::Id, true, "the new id"}},
                  renameEdit,
-                 named("Rename")});
+                 named("Rename edit %1 of %2")});
   all.push_back({"edit.move",
                  "Moves an edit to another place in the order.",
                  {operation, id, {"index", FieldType::Index, true, "the new place"}},
                  moveEdit,
-                 named("Move")});
+                 named("Move edit %1 of %2")});
 }
 
 }  // namespace wcam::project::detail

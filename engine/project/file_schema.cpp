@@ -18,17 +18,17 @@ namespace {
 /// As many levels as the reader of JSON accepts.
 constexpr int kMaxDepth = 200;
 
-void add(std::vector<ParamProblem>& problems, const std::string& path, std::string message) {
+void add(std::vector<ParamProblem>& problems, const std::string& path, Text message) {
   problems.push_back({path, std::move(message), false});
 }
 
 bool expectType(const Value& value,
                 bool matches,
-                const char* wanted,
+                const Text& wanted,
                 const std::string& path,
                 std::vector<ParamProblem>& problems) {
   if (!matches) {
-    add(problems, path, std::string("expected ") + wanted + ", got " + toString(value.type()));
+    add(problems, path, text("expected %1, got %2", {wanted, toString(value.type())}));
   }
   return matches;
 }
@@ -37,8 +37,8 @@ void checkId(const Value& value, const std::string& path, std::vector<ParamProbl
   if (expectType(value, value.isString(), "a text", path, problems) &&
       !isValidId(value.asString())) {
     add(problems, path,
-        "'" + value.asString() +
-            "' is no id: write 1 to 64 of a-z 0-9 _ - . and begin with a letter or digit");
+        text("'%1' is no id: write 1 to 64 of a-z 0-9 _ - . and begin with a letter or digit",
+             {value.asString()}));
   }
 }
 
@@ -84,7 +84,7 @@ void checkMembers(const Value& value,
     if (const Value* member = value.find(field.key)) {
       checkField(*member, field.type, path + "." + field.key, problems);
     } else if (field.required) {
-      add(problems, path, std::string("the key '") + field.key + "' is missing");
+      add(problems, path, text("the key '%1' is missing", {std::string(field.key)}));
     }
   }
 }
@@ -169,13 +169,13 @@ void checkEdits(const Value& value, const std::string& path, std::vector<ParamPr
     }
     if (std::find(seen.begin(), seen.end(), id->asString()) != seen.end()) {
       add(problems, place + ".id",
-          "another edit of the operation has the id '" + id->asString() + "' already");
+          text("another edit of the operation has the id '%1' already", {id->asString()}));
     }
     seen.push_back(id->asString());
     const std::string& type = edit.at("type").asString();
     if (!toolpath::editTypeOf(type)) {
       add(problems, place + ".type",
-          "'" + type + "' is no type of edit" + didYouMean(type, editKeys()));
+          didYouMean(text("'%1' is no type of edit", {type}), type, editKeys()));
     }
   }
 }
@@ -471,14 +471,16 @@ void setOrdered(Value& object,
   members.emplace(place, key, std::move(value));
 }
 
-std::string didYouMean(std::string_view name, const std::vector<std::string>& candidates) {
+Text didYouMean(const Text& message,
+                std::string_view name,
+                const std::vector<std::string>& candidates) {
   if (const auto near = nearestName(name, candidates)) {
-    return "; did you mean '" + *near + "'?";
+    return text("%1; did you mean '%2'?", {message, *near});
   }
   if (candidates.empty()) {
-    return "; there is none yet";
+    return text("%1; there is none yet", {message});
   }
-  return "; there are: " + joinText(candidates, ", ");
+  return text("%1; there are: %2", {message, joinText(candidates, ", ")});
 }
 
 }  // namespace wcam::project

@@ -81,6 +81,8 @@ void setOrdered(Value& object,
 std::vector<std::string> keyOrder(const NodeType& type);
 
 /// "; did you mean 'x'?" or nothing.
-std::string didYouMean(std::string_view name, const std::vector<std::string>& candidates);
+Text didYouMean(const Text& message,
+                std::string_view name,
+                const std::vector<std::string>& candidates);
 
 }  // namespace wcam::project

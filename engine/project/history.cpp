@@ -90,7 +90,7 @@ bool History::apply(const Command& command, const std::string& mergeKey) {
   return true;
 }
 
-void History::push(Document document, std::string label, std::string mergeKey) {
+void History::push(Document document, Text label, std::string mergeKey) {
   while (snapshots_.size() > position_ + 1) {
     bytes_ -= snapshots_.back().bytes;
     snapshots_.pop_back();
@@ -130,12 +130,12 @@ bool History::canRedo() const noexcept {
   return !group_ && position_ + 1 < snapshots_.size();
 }
 
-std::string History::undoLabel() const {
-  return canUndo() ? snapshots_[position_].label : std::string();
+Text History::undoLabel() const {
+  return canUndo() ? snapshots_[position_].label : Text();
 }
 
-std::string History::redoLabel() const {
-  return canRedo() ? snapshots_[position_ + 1].label : std::string();
+Text History::redoLabel() const {
+  return canRedo() ? snapshots_[position_ + 1].label : Text();
 }
 
 bool History::undo() {
@@ -172,8 +172,8 @@ std::uint64_t History::stateId() const noexcept {
   return snapshots_[position_].id;
 }
 
-std::vector<std::string> History::labels() const {
-  std::vector<std::string> labels;
+std::vector<Text> History::labels() const {
+  std::vector<Text> labels;
   for (std::size_t i = 1; i < snapshots_.size(); ++i) {
     labels.push_back(snapshots_[i].label);
   }
@@ -194,7 +194,7 @@ void History::write(const Value& line) const {
   }
 }
 
-History::Transaction::Transaction(History& history, std::string label) : history_(history) {
+History::Transaction::Transaction(History& history, Text label) : history_(history) {
   if (history.group_) {
     throw Error(ErrorCode::Internal, "a transaction is open already");
   }
@@ -220,7 +220,8 @@ bool History::Transaction::commit() {
     commands.push(toValue(command));
   }
   history_.push(std::move(group.document), group.label, {});
-  history_.write(Value::object({{"transaction", Value(group.label)}, {"commands", commands}}));
+  history_.write(
+      Value::object({{"transaction", Value(group.label.str())}, {"commands", commands}}));
   return true;
 }
 
@@ -236,7 +237,9 @@ void History::replayLine(const Value& line) {
   const Command command = commandFromValue(line);
   if (command.id == "undo" || command.id == "redo") {
     if (!(command.id == "undo" ? undo() : redo())) {
-      throw Error(ErrorCode::InvalidArgument, "there is nothing to " + command.id);
+      throw Error(ErrorCode::InvalidArgument, command.id == "undo"
+                                                  ? text("there is nothing to undo")
+                                                  : text("there is nothing to redo"));
     }
     return;
   }
@@ -263,17 +266,18 @@ std::size_t History::replay(std::string_view log, const std::string& context) {
     if (line.empty() || line.front() == '#') {
       continue;
     }
-    const std::string place = context + ", line " + std::to_string(number);
+    const Text place = text("%1, line %2", {context, std::to_string(number)});
     Value parsed;
     try {
       parsed = parseJson(line);
     } catch (const Error& error) {
-      throw Error(ErrorCode::InputInvalid, error.message(), place, "every line is a JSON object");
+      throw Error(ErrorCode::InputInvalid, error.messageText(), place,
+                  "every line is a JSON object");
     }
     try {
       replayLine(parsed);
     } catch (const Error& error) {
-      throw Error(error.code(), error.what(), place, error.hint());
+      throw Error(error.code(), error.whatText(), place, error.hintText());
     }
     ++applied;
   }

@@ -174,8 +174,8 @@ std::string findingRows(const std::vector<Diagnostic>& findings) {
     add("point", finding.place.point);
     html += "<tr><td class=\"" + std::string(toString(finding.severity)) + "\">" +
             toString(finding.severity) + "</td>" + element("td", place) + "<td>" +
-            htmlEscaped(finding.message) + "<br><small>" + htmlEscaped(finding.code) +
-            "</small></td>" + element("td", finding.remedy) + "</tr>";
+            htmlEscaped(finding.message.str()) + "<br><small>" + htmlEscaped(finding.code) +
+            "</small></td>" + element("td", finding.remedy.str()) + "</tr>";
   }
   return html + "</table>";
 }
@@ -268,10 +268,10 @@ std::string htmlReport(const Document& document, const RunResult& result) {
       element("title", name.empty() ? "WCAM report" : name + " – WCAM report") + "<style>" +
       kStyle + "</style></head><body>" + element("h1", name.empty() ? "WCAM report" : name);
   for (const RunFailure& failure : result.failures) {
-    html +=
-        "<p class=\"violation\">" +
-        htmlEscaped((failure.place.empty() ? "" : failure.place + ": ") + failure.error.what()) +
-        "</p>";
+    html += "<p class=\"violation\">" +
+            htmlEscaped((failure.place.empty() ? "" : failure.place.str() + ": ") +
+                        failure.error.what()) +
+            "</p>";
     if (!failure.error.hint().empty()) {
       html += element("p", failure.error.hint());
     }

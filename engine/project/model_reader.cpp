@@ -187,11 +187,11 @@ public:
   }
 
 private:
-  void problem(const std::string& path, std::string message) {
+  void problem(const std::string& path, Text message) {
     result_.problems.push_back({path, std::move(message), false});
   }
 
-  void finding(const char* code, std::string message, std::string remedy) {
+  void finding(const char* code, Text message, Text remedy) {
     result_.findings.push_back(
         {Severity::Warning, code, std::move(message), std::move(remedy), {}, {}});
   }
@@ -234,7 +234,7 @@ private:
       return;
     }
     if (!list->isArray()) {
-      problem(type.list, std::string("expected a list, got ") + toString(list->type()));
+      problem(type.list, text("expected a list, got %1", {toString(list->type())}));
       return;
     }
     std::vector<std::string> seen;
@@ -255,7 +255,7 @@ private:
                  const std::string& path,
                  std::vector<std::string>& seen) {
     if (!node.isObject()) {
-      problem(path, std::string("expected an object, got ") + toString(node.type()));
+      problem(path, text("expected an object, got %1", {toString(node.type())}));
       return;
     }
     const std::size_t before = result_.problems.size();
@@ -264,7 +264,7 @@ private:
       if (const Value* value = node.find(field.key)) {
         checkField(*value, field.type, path + "." + field.key, result_.problems);
       } else if (field.required) {
-        problem(path, std::string("the key '") + field.key + "' is missing");
+        problem(path, text("the key '%1' is missing", {field.key}));
       }
     }
     if (result_.problems.size() == before) {
@@ -289,7 +289,7 @@ private:
     }
     if (std::find(seen.begin(), seen.end(), id->asString()) != seen.end()) {
       problem(path + ".id",
-              std::string("another ") + type.noun + " has the id '" + id->asString() + "' already");
+              text("another %1 has the id '%2' already", {type.noun, id->asString()}));
     }
     seen.push_back(id->asString());
   }
@@ -302,7 +302,7 @@ private:
     const std::vector<std::string>& words = wallSideWords();
     if (std::find(words.begin(), words.end(), surface->asString()) == words.end()) {
       problem(path + ".surface",
-              "'" + surface->asString() + "' is not one of: " + joinText(words, ", "));
+              text("'%1' is not one of: %2", {surface->asString(), joinText(words, ", ")}));
     } else if (wallSideOf(surface->asString()) && node.contains("faces")) {
       problem(path + ".surface", "stands beside 'faces': name the faces or the side of the wall");
     }
@@ -327,12 +327,12 @@ private:
       for (const auto& entry : variants->second) {
         known.push_back(entry.first);
       }
-      problem(path + ".type", "'" + name + "' is not one of: " + joinText(known, ", "));
+      problem(path + ".type", text("'%1' is not one of: %2", {name, joinText(known, ", ")}));
       return;
     }
     for (const std::string& key : variant->second) {
       if (!node.contains(key)) {
-        problem(path, "the key '" + key + "' is missing; the type " + name + " needs it");
+        problem(path, text("the key '%1' is missing; the type %2 needs it", {key, name}));
       }
     }
     if (name == "formula" && node.contains("begin") && node.contains("end") &&
@@ -371,14 +371,15 @@ private:
                       const std::string& place) {
     const std::vector<std::string>& known = ids_[field.references];
     if (std::find(known.begin(), known.end(), id) == known.end()) {
-      problem(place, std::string(type.noun) + " '" + node.at("id").asString() +
-                         "' names an unknown " + nodeTypeOfList(field.references)->noun + " '" +
-                         id + "'" + didYouMean(id, known));
+      problem(place, didYouMean(text("%1 '%2' names an unknown %3 '%4'",
+                                     {type.noun, node.at("id").asString(),
+                                      nodeTypeOfList(field.references)->noun, id}),
+                                id, known));
     }
   }
 
   void checkPaths(const NodeType& type, const Value& node) {
-    const std::string owner = std::string(type.noun) + " '" + node.at("id").asString() + "'";
+    const Text owner = text("%1 '%2'", {type.noun, node.at("id").asString()});
     if (const Value* file = node.find("file")) {
       checkPath(file->at("path").asString(), owner);
     }
@@ -387,22 +388,22 @@ private:
     }
   }
 
-  void checkPath(const std::string& text, const std::string& owner) {
-    if (text.find('\\') != std::string::npos) {
-      finding("project.path_separator", owner + ": the path '" + text + "' holds a backslash",
+  void checkPath(const std::string& given, const Text& owner) {
+    if (given.find('\\') != std::string::npos) {
+      finding("project.path_separator", text("%1: the path '%2' holds a backslash", {owner, given}),
               "write '/' between folders");
     }
-    const std::filesystem::path path(text);
+    const std::filesystem::path path(given);
     if (path.is_absolute()) {
       finding("project.path_absolute",
-              owner + ": the path '" + text + "' is absolute and holds on this machine only",
+              text("%1: the path '%2' is absolute and holds on this machine only", {owner, given}),
               "put the file below the project and write the path from there");
       return;
     }
     const std::filesystem::path plain = path.lexically_normal();
     if (!plain.empty() && *plain.begin() == "..") {
       finding("project.path_outside",
-              owner + ": the path '" + text + "' leaves the folder of the project",
+              text("%1: the path '%2' leaves the folder of the project", {owner, given}),
               "put the file below the project, so that the folder can be moved as a whole");
     }
   }

@@ -39,12 +39,13 @@ std::string placementText(const Placement& placement) {
 }
 
 /// Rethrows with the operation in front of the context.
-[[noreturn]] void rethrowIn(const Error& error, const std::string& place) {
+[[noreturn]] void rethrowIn(const Error& error, const Text& place) {
   if (error.code() == ErrorCode::Cancelled) {
     throw CancelledError();
   }
-  throw Error(error.code(), error.message(),
-              error.context().empty() ? place : place + ": " + error.context(), error.hint());
+  throw Error(error.code(), error.messageText(),
+              error.context().empty() ? place : text("%1: %2", {place, error.contextText()}),
+              error.hintText());
 }
 
 int edgeByName(const geometry::Brep& brep, const std::string& name) {
@@ -58,9 +59,9 @@ int edgeByName(const geometry::Brep& brep, const std::string& name) {
     }
   }
   const auto near = nearestName(name, names);
-  throw Error(ErrorCode::ProjectInvalid, "the part has no edge named '" + name + "'", {},
-              near ? "did you mean '" + *near + "'?"
-                   : "name the edge by its index; `camcli info` lists them");
+  throw Error(ErrorCode::ProjectInvalid, text("the part has no edge named '%1'", {name}), {},
+              near ? text("did you mean '%1'?", {*near})
+                   : text("name the edge by its index; `camcli info` lists them"));
 }
 
 /// The diagnostics of a stage belong to the operation.
@@ -82,7 +83,7 @@ void takeSide(io::ImportedPart& part,
     try {
       return geometry::solidWall(*part.surface, side, context);
     } catch (const Error& error) {
-      rethrowIn(error, "part '" + id + "'");
+      rethrowIn(error, text("part '%1'", {id}));
     }
   }();
   part.surface = std::make_shared<const geometry::PartSurface>(std::move(wall.surface));
@@ -90,9 +91,9 @@ void takeSide(io::ImportedPart& part,
   const geometry::WallThickness& thickness = *part.wallThickness;
   context.add({Severity::Information,
                "part.wall_thickness",
-               "the wall of part '" + id + "' is " + formatFixed(thickness.min, 2) + " to " +
-                   formatFixed(thickness.max, 2) + " mm thick, " + formatFixed(thickness.mean, 2) +
-                   " mm in the mean",
+               text("the wall of part '%1' is %2 to %3 mm thick, %4 mm in the mean",
+                    {id, formatFixed(thickness.min, 2), formatFixed(thickness.max, 2),
+                     formatFixed(thickness.mean, 2)}),
                "",
                {},
                {{"min_mm", thickness.min},
@@ -120,15 +121,15 @@ std::vector<Diagnostic> compareWithBead(const io::ImportedPart& part,
       wall.max <= (1.0 + kBeadFitsWall) * beadWidth) {
     return {};
   }
-  return {{Severity::Warning,
-           "part.bead_does_not_fit_wall",
-           "the wall of part '" + id + "' is " + formatFixed(wall.min, 2) + " to " +
-               formatFixed(wall.max, 2) + " mm thick, the bead " + formatFixed(beadWidth, 2) +
-               " mm wide",
-           "choose a process with a bead as wide as the wall, or lay several beads beside each "
-           "other",
-           {},
-           {{"min_mm", wall.min}, {"max_mm", wall.max}, {"bead_width_mm", beadWidth}}}};
+  return {
+      {Severity::Warning,
+       "part.bead_does_not_fit_wall",
+       text("the wall of part '%1' is %2 to %3 mm thick, the bead %4 mm wide",
+            {id, formatFixed(wall.min, 2), formatFixed(wall.max, 2), formatFixed(beadWidth, 2)}),
+       "choose a process with a bead as wide as the wall, or lay several beads beside each "
+       "other",
+       {},
+       {{"min_mm", wall.min}, {"max_mm", wall.max}, {"bead_width_mm", beadWidth}}}};
 }
 
 void checkParams(const ParamSchema& schema,
@@ -188,19 +189,22 @@ std::vector<Diagnostic> Pipeline::validate() const {
     }
     if (strategy->info.needsFile && operation.file.empty()) {
       problems.push_back(
-          {path + ".file", "the strategy " + operation.strategy + " needs a file with a path"});
+          {path + ".file", text("the strategy %1 needs a file with a path", {operation.strategy})});
     }
     if (!strategy->info.needsFile && operation.parts.empty()) {
-      problems.push_back({path + ".parts", "the strategy " + operation.strategy + " needs a part"});
+      problems.push_back(
+          {path + ".parts", text("the strategy %1 needs a part", {operation.strategy})});
     }
     const std::string& automatic = strategy->info.automaticGuide;
     const bool ownGuide =
         !automatic.empty() && operation.params.isObject() && operation.params.contains(automatic) &&
         operation.params.at(automatic).isBool() && operation.params.at(automatic).asBool();
     if (strategy->info.needsGuide && operation.guide.empty() && !ownGuide) {
-      problems.push_back({path + ".guide", "the strategy " + operation.strategy +
-                                               " needs a guide curve" +
-                                               (automatic.empty() ? "" : ", or set " + automatic)});
+      problems.push_back(
+          {path + ".guide", automatic.empty()
+                                ? text("the strategy %1 needs a guide curve", {operation.strategy})
+                                : text("the strategy %1 needs a guide curve, or set %2",
+                                       {operation.strategy, automatic})});
     }
   }
   for (std::size_t i = 0; i < project.outputs.size(); ++i) {
@@ -213,7 +217,7 @@ std::vector<Diagnostic> Pipeline::validate() const {
     if (problem.unknown) {
       findings.push_back({Severity::Warning,
                           "project.unknown_parameter",
-                          problem.path + ": " + problem.message,
+                          text("%1: %2", {problem.path, problem.message}),
                           "it is kept in the file and has no effect",
                           {},
                           {}});
@@ -292,8 +296,8 @@ std::shared_ptr<const geometry::GuideCurve> Pipeline::makeGuide(const Guide& gui
       const auto& brep = part.value->surface->brep;
       if (brep == nullptr) {
         throw Error(ErrorCode::ProjectInvalid,
-                    "the part '" + guide.part + "' is a mesh and has no CAD edges",
-                    "guide '" + guide.id + "'", "use a polyline or a formula as guide");
+                    text("the part '%1' is a mesh and has no CAD edges", {guide.part}),
+                    text("guide '%1'", {guide.id}), "use a polyline or a formula as guide");
       }
       const int edge = guide.edgeName.empty() ? guide.edge : edgeByName(*brep, guide.edgeName);
       key = part.key + ":" + std::to_string(edge) + (guide.reversed ? "r" : "");
@@ -370,8 +374,9 @@ const Operation& Pipeline::operationOf(const std::string& id) const {
       ids.push_back(known.id);
     }
     const auto near = nearestName(id, ids);
-    throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {},
-                near ? "did you mean '" + *near + "'?" : "operations: " + joinText(ids, ", "));
+    throw Error(
+        ErrorCode::InvalidArgument, text("the project has no operation '%1'", {id}), {},
+        near ? text("did you mean '%1'?", {*near}) : text("operations: %1", {joinText(ids, ", ")}));
   }
   return *operation;
 }
@@ -391,7 +396,7 @@ OperationResult Pipeline::computeUntil(const std::string& id,
   try {
     return computeStages(operation, until, context);
   } catch (const Error& error) {
-    rethrowIn(error, "operation '" + id + "'");
+    rethrowIn(error, text("operation '%1'", {id}));
   }
 }
 
@@ -412,7 +417,7 @@ motion::PlacementMap Pipeline::searchPlacement(const std::string& id,
     return motion::searchPlacement(*result.path, *result.cell, model.get(), params, search,
                                    context.portion(0.3, 1.0, "placement"));
   } catch (const Error& error) {
-    rethrowIn(error, "operation '" + id + "'");
+    rethrowIn(error, text("operation '%1'", {id}));
   }
 }
 
@@ -586,7 +591,7 @@ std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
     return post->post->post(*result.program, post->info.params.complete(output.params, "params"),
                             context);
   } catch (const Error& error) {
-    rethrowIn(error, "output '" + output.id + "', operation '" + result.id + "'");
+    rethrowIn(error, text("output '%1', operation '%2'", {output.id, result.id}));
   }
 }
 

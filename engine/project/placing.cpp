@@ -55,15 +55,16 @@ std::vector<Command> placementCommands(const Document& document,
   const Project& project = document.project();
   const Operation* wanted = project.operation(operation);
   if (wanted == nullptr) {
-    throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + operation + "'");
+    throw Error(ErrorCode::InvalidArgument, text("the project has no operation '%1'", {operation}));
   }
   const Guide* guide = wanted->guide.empty() ? nullptr : project.guide(wanted->guide);
   if (!wanted->file.empty() || (guide != nullptr && guide->type != Guide::Type::Edge)) {
-    throw Error(
-        ErrorCode::ProjectInvalid,
-        wanted->file.empty() ? "the guide '" + wanted->guide + "' does not move with the part"
-                             : std::string("its path comes from a file"),
-        "operation '" + operation + "'", "move the part in the cell file instead: T_table_part");
+    throw Error(ErrorCode::ProjectInvalid,
+                wanted->file.empty()
+                    ? text("the guide '%1' does not move with the part", {wanted->guide})
+                    : text("its path comes from a file"),
+                text("operation '%1'", {operation}),
+                "move the part in the cell file instead: T_table_part");
   }
   std::set<std::string> parts(wanted->parts.begin(), wanted->parts.end());
   const Substrate* substrate = project.substrate(wanted->substrate);

@@ -41,17 +41,18 @@ Value migrate(Value tree,
       tree.set("format_version", step.from + 1);
     } catch (const Error& error) {
       throw Error(ErrorCode::ProjectInvalid,
-                  "format version " + std::to_string(step.from) +
-                      " cannot be brought up to date: " + error.what(),
+                  text("format version %1 cannot be brought up to date: %2",
+                       {std::to_string(step.from), error.whatText()}),
                   context, "the file does not keep the rules of its own version");
     }
-    findings.push_back({Severity::Information,
-                        "project.migrated",
-                        "format version " + std::to_string(step.from) + " was read as version " +
-                            std::to_string(step.from + 1) + ": " + step.summary,
-                        "save the project to keep the new version",
-                        {},
-                        {}});
+    findings.push_back(
+        {Severity::Information,
+         "project.migrated",
+         text("format version %1 was read as version %2: %3",
+              {std::to_string(step.from), std::to_string(step.from + 1), step.summary}),
+         "save the project to keep the new version",
+         {},
+         {}});
   }
   return tree;
 }
@@ -65,16 +66,16 @@ bool isPresent(const std::filesystem::path& file) {
 /// Hash of every file, in the order of use; all missing ones are named together.
 std::vector<std::string> hashesOf(const std::vector<UsedFile>& files,
                                   const std::filesystem::path& project) {
-  std::vector<std::string> missing;
+  std::vector<Text> missing;
   for (const UsedFile& file : files) {
     if (!isPresent(resolvePath(project, file.ref))) {
-      missing.push_back(file.owner + " needs the file '" + file.ref.path +
-                        "', which does not exist (looked for " +
-                        pathText(resolvePath(project, file.ref)) + ")");
+      missing.push_back(
+          text("%1 needs the file '%2', which does not exist (looked for %3)",
+               {file.owner, file.ref.path, pathText(resolvePath(project, file.ref))}));
     }
   }
   if (!missing.empty()) {
-    throw Error(ErrorCode::InputNotFound, joinText(missing, "\n  "), pathText(project),
+    throw Error(ErrorCode::InputNotFound, joinTexts(missing, "\n  "), pathText(project),
                 "put the file there or correct its path in the project");
   }
   std::map<std::string, std::string> known;
@@ -186,7 +187,7 @@ std::vector<UsedFile> usedFiles(const Document& document) {
   const auto collect = [&files](const auto& nodes, const char* list, const char* noun) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (!nodes[i].file.empty()) {
-        files.push_back({std::string(noun) + " '" + nodes[i].id + "'",
+        files.push_back({text("%1 '%2'", {noun, nodes[i].id}),
                          std::string(list) + "[" + std::to_string(i) + "].file", nodes[i].file});
       }
     }
@@ -215,8 +216,8 @@ std::vector<Diagnostic> checkFiles(const Document& document, const std::filesyst
     if (!files[i].ref.sha256.empty() && files[i].ref.sha256 != hashes[i]) {
       findings.push_back({Severity::Warning,
                           "project.hash_changed",
-                          files[i].owner + ": the file '" + files[i].ref.path +
-                              "' is not the one that the project was made with",
+                          text("%1: the file '%2' is not the one that the project was made with",
+                               {files[i].owner, files[i].ref.path}),
                           "restore the file, or pin the new content with the command file.pin",
                           {},
                           {}});

@@ -67,7 +67,7 @@ Value listOf(const std::vector<Diagnostic>& findings) {
 Value errorValue(const RunFailure& failure) {
   Value value = Value::object();
   if (!failure.place.empty()) {
-    value.set("place", failure.place);
+    value.set("place", failure.place.str());
   }
   value.set("code", toString(failure.error.code()))
       .set("exit_code", exitCodeOf(failure.error.code()))

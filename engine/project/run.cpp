@@ -40,9 +40,10 @@ public:
     }
     createFolder(folder);
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-      throw Error(ErrorCode::OutputConflict,
-                  "the folder cannot be written to: " + std::generic_category().message(errno),
-                  pathText(folder), "choose a folder that you may write to");
+      throw Error(
+          ErrorCode::OutputConflict,
+          text("the folder cannot be written to: %1", {std::generic_category().message(errno)}),
+          pathText(folder), "choose a folder that you may write to");
     }
   }
 
@@ -88,8 +89,9 @@ std::vector<std::string> operationIds(const Project& project, const RunRequest& 
   for (const std::string& id : ids) {
     if (std::find(known.begin(), known.end(), id) == known.end()) {
       const auto near = nearestName(id, known);
-      throw Error(ErrorCode::InvalidArgument, "the project has no operation '" + id + "'", {},
-                  near ? "did you mean '" + *near + "'?" : "operations: " + joinText(known, ", "));
+      throw Error(ErrorCode::InvalidArgument, text("the project has no operation '%1'", {id}), {},
+                  near ? text("did you mean '%1'?", {*near})
+                       : text("operations: %1", {joinText(known, ", ")}));
     }
   }
   return ids;
@@ -114,8 +116,9 @@ Output freshOutput(const Pipeline& pipeline, const std::string& name) {
     }
     const auto near = nearestName(name, known);
     throw Error(ErrorCode::PluginMissing,
-                "'" + name + "' is no output of the project, and no plugin provides it", {},
-                near ? "did you mean '" + *near + "'?" : "there are: " + joinText(known, ", "));
+                text("'%1' is no output of the project, and no plugin provides it", {name}), {},
+                near ? text("did you mean '%1'?", {*near})
+                     : text("there are: %1", {joinText(known, ", ")}));
   }
   Output fresh;
   fresh.id = name;
@@ -161,9 +164,9 @@ std::string joinedPath(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
 }
 
-std::string writerName(const WrittenFile& file) {
-  return file.output.empty() ? "the table of '" + file.operation + "'"
-                             : "the output '" + file.output + "' for '" + file.operation + "'";
+Text writerName(const WrittenFile& file) {
+  return file.output.empty() ? text("the table of '%1'", {file.operation})
+                             : text("the output '%1' for '%2'", {file.output, file.operation});
 }
 
 /// Two files of one path would silently replace each other.
@@ -172,9 +175,10 @@ void refuseDuplicates(const std::vector<PendingFile>& pending) {
   for (const PendingFile& file : pending) {
     const auto [other, fresh] = seen.emplace(file.file.path, writerName(file.file));
     if (!fresh) {
-      throw Error(ErrorCode::OutputConflict,
-                  other->second + " and " + writerName(file.file) + " both write " + file.file.path,
-                  "outputs", "give one of the outputs another folder");
+      throw Error(
+          ErrorCode::OutputConflict,
+          text("%1 and %2 both write %3", {other->second, writerName(file.file), file.file.path}),
+          "outputs", "give one of the outputs another folder");
     }
   }
 }
@@ -202,7 +206,7 @@ void printOutputs(const Pipeline& pipeline,
       } catch (const CancelledError&) {
         throw;
       } catch (const Error& error) {
-        result.failures.push_back({"output '" + output.id + "'", error});
+        result.failures.push_back({text("output '%1'", {output.id}), error});
       }
     }
   }
@@ -267,7 +271,7 @@ void computeAll(const Pipeline& pipeline,
     } catch (const CancelledError&) {
       throw;
     } catch (const Error& error) {
-      result.failures.push_back({"operation '" + ids[i] + "'", error});
+      result.failures.push_back({text("operation '%1'", {ids[i]}), error});
     }
   }
 }

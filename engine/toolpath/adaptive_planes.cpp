@@ -127,10 +127,9 @@ PlaneStack adaptivePlanes(const Parts& parts,
   }
   if (options.step < range.heightMin || options.step > range.heightMax) {
     throw Error(ErrorCode::InvalidArgument,
-                "the step of " + formatFixed(options.step, 3) +
-                    " mm is outside the process's layer heights of " +
-                    formatFixed(range.heightMin, 3) + " to " + formatFixed(range.heightMax, 3) +
-                    " mm",
+                text("the step of %1 mm is outside the process's layer heights of %2 to %3 mm",
+                     {formatFixed(options.step, 3), formatFixed(range.heightMin, 3),
+                      formatFixed(range.heightMax, 3)}),
                 "adaptive planes", "choose a step inside the range");
   }
   PlaneStack stack = planeStack(parts, substrate, options);
@@ -156,11 +155,11 @@ PlaneStack adaptivePlanes(const Parts& parts,
       context.add(
           {Severity::Warning,
            "slicing.step_not_kept",
-           "the layer at " + formatFixed(from + choice.height, 3) + " mm lies up to " +
-               (std::isfinite(choice.distance) ? formatFixed(choice.distance, 3)
-                                               : std::string("far more than")) +
-               " mm from the layer below, although the planes are as near as the process "
-               "allows",
+           text("the layer at %1 mm lies up to %2 mm from the layer below, although the planes are "
+                "as near as the process allows",
+                {formatFixed(from + choice.height, 3), std::isfinite(choice.distance)
+                                                           ? Text(formatFixed(choice.distance, 3))
+                                                           : text("far more than")}),
            "use curved layers there, or a process with thinner layers",
            {{}, static_cast<int>(stack.levels.size()), -1, -1},
            std::isfinite(choice.distance)

@@ -71,9 +71,9 @@ public:
     if (notProjected_ > 0) {
       context.add({Severity::Warning,
                    "toolpath.axis_not_projected",
-                   std::to_string(notProjected_) +
-                       " axes are perpendicular to the plane that they shall be projected on, and "
-                       "stay as they are",
+                   text("%1 axes are perpendicular to the plane that they shall be projected on, "
+                        "and stay as they are",
+                        {std::to_string(notProjected_)}),
                    "choose another axis_plane_normal",
                    {{}, layer, -1, -1},
                    {{"points", static_cast<double>(notProjected_)}}});
@@ -81,9 +81,9 @@ public:
     if (deviation_ > params_.axisDeviation.value()) {
       context.add({Severity::Warning,
                    "toolpath.axis_smoothed",
-                   "the tool axis leaves its rule by up to " +
-                       formatFixed(radToDeg(deviation_), 1) + " degrees to turn by at most " +
-                       formatFixed(params_.axisRate, 2) + " degrees per mm",
+                   text("the tool axis leaves its rule by up to %1 degrees to turn by at most %2 "
+                        "degrees per mm",
+                        {formatFixed(radToDeg(deviation_), 1), formatFixed(params_.axisRate, 2)}),
                    "raise axis_rate, or take an axis rule that turns less",
                    {{}, layer, -1, -1},
                    {{"deviation_deg", radToDeg(deviation_)}}});

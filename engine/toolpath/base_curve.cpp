@@ -146,7 +146,7 @@ public:
     for (const std::size_t k : floating_) {
       context_.add({Severity::Warning,
                     "slicing.piece_without_base",
-                    floatingMessage(k) + "; it gets no layer",
+                    text("%1; it gets no layer", {floatingMessage(k)}),
                     "join the piece to the others, or slice it as a part of its own",
                     {},
                     placeData(mesh_.vertices[pieces_[k].lowestVertex], pieces_[k].lowest)});
@@ -307,8 +307,8 @@ private:
       const Vec3 p = mesh_.vertices[base_.lower.back().vertices.front()];
       context_.add({Severity::Warning,
                     "slicing.several_lower_borders",
-                    "the part stands on " + std::to_string(count) +
-                        " borders; layers grow from all of them and meet",
+                    text("the part stands on %1 borders; layers grow from all of them and meet",
+                         {std::to_string(count)}),
                     "split the part where they meet, or choose the working surface with one lower "
                     "border",
                     {},
@@ -325,20 +325,22 @@ private:
         [this](std::uint32_t a, std::uint32_t b) { return height_[a] < height_[b]; });
     context_.add({Severity::Warning,
                   "slicing.base_off_substrate",
-                  "the lowest border of the part does not lie on the substrate: it is " +
-                      formatFixed(loop.lowest, 3) + " to " + formatFixed(loop.highest, 3) +
-                      " mm above it, most at " + describe(mesh_.vertices[v]),
+                  text("the lowest border of the part does not lie on the substrate: it is %1 to "
+                       "%2 mm above it, most at %3",
+                       {formatFixed(loop.lowest, 3), formatFixed(loop.highest, 3),
+                        describe(mesh_.vertices[v])}),
                   "move the part or the substrate, or extend the part below the substrate so that "
                   "it is cut there",
                   {},
                   placeData(mesh_.vertices[v], height_[v])});
   }
 
-  [[nodiscard]] std::string floatingMessage(std::size_t k) const {
+  [[nodiscard]] Text floatingMessage(std::size_t k) const {
     const Piece& piece = pieces_[k];
-    return "a closed surface without a border does not touch the substrate: its lowest point " +
-           describe(mesh_.vertices[piece.lowestVertex]) + " is " + formatFixed(piece.lowest, 3) +
-           " mm above it";
+    return text(
+        "a closed surface without a border does not touch the substrate: its lowest point "
+        "%1 is %2 mm above it",
+        {describe(mesh_.vertices[piece.lowestVertex]), formatFixed(piece.lowest, 3)});
   }
 
   void chooseContact(std::size_t k) {

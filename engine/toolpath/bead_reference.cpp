@@ -481,9 +481,9 @@ SlicedLayers withBeadReference(const SlicedLayers& sliced,
     if (vanished[l] > 0) {
       context.add({Severity::Warning,
                    "toolpath.contour_vanished",
-                   std::to_string(vanished[l]) +
-                       " contours are too narrow for half a bead on this side: nothing is "
-                       "deposited there",
+                   text("%1 contours are too narrow for half a bead on this side: nothing is "
+                        "deposited there",
+                        {std::to_string(vanished[l])}),
                    "put the bead on the centre or on the other side of the contour, or take a "
                    "narrower bead",
                    {{}, static_cast<int>(l), -1, -1},

@@ -64,11 +64,12 @@ std::vector<const Contour*> contoursBelow(const SlicedLayers& sliced, std::size_
   std::vector<const Contour*> contours;
   for (const std::size_t l : below) {
     if (l >= sliced.layers.size() || l == layer) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "the strategy names layer " + std::to_string(l) + " below layer " +
-                      std::to_string(layer) + " of " + std::to_string(sliced.layers.size()),
-                  "layer " + std::to_string(layer),
-                  "this is a fault of the strategy's plugin; report it to its author");
+      throw Error(
+          ErrorCode::InvalidArgument,
+          text("the strategy names layer %1 below layer %2 of %3",
+               {std::to_string(l), std::to_string(layer), std::to_string(sliced.layers.size())}),
+          text("layer %1", {std::to_string(layer)}),
+          "this is a fault of the strategy's plugin; report it to its author");
     }
     for (const Contour& contour : sliced.layers[l].contours) {
       contours.push_back(&contour);
@@ -132,7 +133,7 @@ void reportUnsupported(const Layer& layer,
       context.add(
           {Severity::Warning,
            "toolpath.unsupported",
-           "a bead lies " + formatFixed(nearest, 2) + " mm or more above everything below it",
+           text("a bead lies %1 mm or more above everything below it", {formatFixed(nearest, 2)}),
            "build this place on something: another order, a support or another build direction",
            {{}, layerIndex, static_cast<int>(b), -1},
            {{"distance_mm", nearest}}});
@@ -149,10 +150,10 @@ void reportSeams(std::size_t tooClose,
   }
   context.add({Severity::Warning,
                "toolpath.seam_too_close",
-               std::to_string(tooClose) + " beads have no start " +
-                   formatFixed(params.seamKeepAway.value(), 1) +
-                   " mm away from the starts of the last " + std::to_string(params.seamMemory) +
-                   " layers; the farthest point is used",
+               text("%1 beads have no start %2 mm away from the starts of the last %3 layers; the "
+                    "farthest point is used",
+                    {std::to_string(tooClose), formatFixed(params.seamKeepAway.value(), 1),
+                     std::to_string(params.seamMemory)}),
                "lower seam_keep_away or seam_memory",
                {{}, layer, -1, -1},
                {{"beads", static_cast<double>(tooClose)}}});
@@ -178,9 +179,8 @@ void reportOutsidePlate(const Layer& first, const Substrate& substrate, const Jo
   if (outside > 0) {
     context.add({Severity::Warning,
                  "toolpath.outside_plate",
-                 std::to_string(outside) +
-                     " points of the first layer lie beside the plate, up to " +
-                     formatFixed(farthest, 1) + " mm",
+                 text("%1 points of the first layer lie beside the plate, up to %2 mm",
+                      {std::to_string(outside), formatFixed(farthest, 1)}),
                  "move the part or choose a larger plate",
                  {{}, 0, -1, -1},
                  {{"points", static_cast<double>(outside)}, {"excess_mm", farthest}}});

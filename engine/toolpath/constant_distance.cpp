@@ -482,10 +482,9 @@ void checkDistances(const SlicedLayers& sliced,
       const Vec3& p = points[worst];
       context.add({Severity::Warning,
                    "slicing.distance_not_kept",
-                   std::to_string(count) +
-                       " points of the layer do not have the step to the layer "
-                       "below, the worst has " +
-                       formatFixed(distances[worst], 3) + " mm",
+                   text("%1 points of the layer do not have the step to the layer below, the worst "
+                        "has %2 mm",
+                        {std::to_string(count), formatFixed(distances[worst], 3)}),
                    "sharp edges of a mesh can do this: use a finer mesh edge length or the CAD "
                    "file",
                    {{}, static_cast<int>(l), -1, -1},
@@ -535,21 +534,20 @@ void slicePart(const PartSurface& part,
     context.add(
         {Severity::Information,
          "slicing.corners_rounded",
-         std::to_string(emitter.rounded()) +
-             " corners were rounded; there the distance "
-             "differs from the step by up to " +
-             formatFixed(options.cornerBound, 3) + " mm",
+         text("%1 corners were rounded; there the distance differs from the step by up to %2 mm",
+              {std::to_string(emitter.rounded()), formatFixed(options.cornerBound, 3)}),
          {},
          {},
          {{"corners", static_cast<double>(emitter.rounded())}, {"bound_mm", options.cornerBound}}});
   }
   if (fronts.unrefined() > 0) {
-    context.add({Severity::Warning,
-                 "slicing.refinement_failed",
-                 std::to_string(fronts.unrefined()) + " nodes do not have the wanted distance",
-                 "use a finer mesh",
-                 {},
-                 {{"nodes", static_cast<double>(fronts.unrefined())}}});
+    context.add(
+        {Severity::Warning,
+         "slicing.refinement_failed",
+         text("%1 nodes do not have the wanted distance", {std::to_string(fronts.unrefined())}),
+         "use a finer mesh",
+         {},
+         {{"nodes", static_cast<double>(fronts.unrefined())}}});
   }
 }
 

@@ -109,8 +109,8 @@ void checkSize(const Toolpath& path,
   }
   if (points * count > kMostCopies) {
     throw Error(ErrorCode::InvalidArgument,
-                nameOf(edit) + " would make " + std::to_string(points * count) + " points",
-                "edit '" + edit.id + "'", "lower count or the range of layers");
+                text("%1 would make %2 points", {nameOf(edit), std::to_string(points * count)}),
+                text("edit '%1'", {edit.id}), "lower count or the range of layers");
   }
 }
 
@@ -148,8 +148,8 @@ std::size_t deleteLayers(Toolpath& path, const Edit& edit, const JobContext& con
     if (least > kUnsupported * height && height > 0.0) {
       context.add({Severity::Warning,
                    "edit.layer_gap",
-                   nameOf(edit) + " leaves a gap of " + formatFixed(least, 2) +
-                       " mm below a layer that is " + formatFixed(height, 2) + " mm high",
+                   text("%1 leaves a gap of %2 mm below a layer that is %3 mm high",
+                        {nameOf(edit), formatFixed(least, 2), formatFixed(height, 2)}),
                    "set close_gap, or delete the layers above as well",
                    {{}, static_cast<int>(first), -1, -1},
                    {{"gap_mm", least}, {"height_mm", height}}});
@@ -173,8 +173,8 @@ std::size_t repeatLayers(Toolpath& path, const Edit& edit, const JobContext& con
   if (turn > kSameUp) {
     context.add({Severity::Warning,
                  "edit.repeat_turns",
-                 nameOf(edit) + " repeats layers that turn by " + formatFixed(radToDeg(turn), 1) +
-                     " degrees; the copies are not turned",
+                 text("%1 repeats layers that turn by %2 degrees; the copies are not turned",
+                      {nameOf(edit), formatFixed(radToDeg(turn), 1)}),
                  "repeat a range of parallel layers",
                  {{}, static_cast<int>(first), -1, -1},
                  {{"turn_deg", radToDeg(turn)}}});

@@ -412,7 +412,7 @@ std::vector<ParamProblem> validateEdit(EditType type,
 Edit readEdit(const std::string& id, EditType type, const Value& params) {
   std::vector<ParamProblem> problems = validateEdit(type, params);
   std::erase_if(problems, [](const ParamProblem& p) { return p.unknown; });
-  throwProblems(problems, ErrorCode::InvalidArgument, "edit '" + id + "'");
+  throwProblems(problems, ErrorCode::InvalidArgument, text("edit '%1'", {id}));
   return {id, type, editSchema(type).read(params)};
 }
 

@@ -14,7 +14,7 @@
 namespace wcam::toolpath::detail {
 
 /// "the edit 'slow' (set_speed)".
-std::string nameOf(const Edit& edit);
+Text nameOf(const Edit& edit);
 
 /// First and last index of the layers that an edit means; nothing when the path has none of them.
 /// Finding: edit.range_clipped

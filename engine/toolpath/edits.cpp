@@ -13,8 +13,8 @@ namespace wcam::toolpath {
 
 namespace detail {
 
-std::string nameOf(const Edit& edit) {
-  return "the edit '" + edit.id + "' (" + infoOf(edit.type).key + ")";
+Text nameOf(const Edit& edit) {
+  return text("the edit '%1' (%2)", {edit.id, std::string(infoOf(edit.type).key)});
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> layersOf(const Toolpath& path,
@@ -30,14 +30,15 @@ std::optional<std::pair<std::size_t, std::size_t>> layersOf(const Toolpath& path
     return std::nullopt;
   }
   if (from != first || to != last) {
-    context.add({Severity::Information,
-                 "edit.range_clipped",
-                 nameOf(edit) + " names layers " + std::to_string(edit.params.firstLayer) + " to " +
-                     std::to_string(edit.params.lastLayer) + ", of which there are " +
-                     std::to_string(from) + " to " + std::to_string(to),
-                 "fit first_layer and last_layer to the layers that there are",
-                 {{}, from, -1, -1},
-                 {{"layers", static_cast<double>(count)}}});
+    context.add(
+        {Severity::Information,
+         "edit.range_clipped",
+         text("%1 names layers %2 to %3, of which there are %4 to %5",
+              {nameOf(edit), std::to_string(edit.params.firstLayer),
+               std::to_string(edit.params.lastLayer), std::to_string(from), std::to_string(to)}),
+         "fit first_layer and last_layer to the layers that there are",
+         {{}, from, -1, -1},
+         {{"layers", static_cast<double>(count)}}});
   }
   return std::pair{static_cast<std::size_t>(from), static_cast<std::size_t>(to)};
 }
@@ -87,8 +88,9 @@ std::size_t editBeads(Toolpath& path,
   if (limited > 0) {
     context.add({Severity::Warning,
                  "edit.tilt_limited",
-                 nameOf(edit) + " wants the torch to lean by more than 80 degrees at " +
-                     std::to_string(limited) + " points; it leans by 80 there",
+                 text("%1 wants the torch to lean by more than 80 degrees at %2 points; it leans "
+                      "by 80 there",
+                      {nameOf(edit), std::to_string(limited)}),
                  "take a smaller angle, or replace the planned one instead of adding to it",
                  {{}, static_cast<int>(range->first), -1, -1},
                  {{"points", static_cast<double>(limited)}}});
@@ -120,8 +122,8 @@ Toolpath applyEdit(const Toolpath& path,
   if (changed == 0) {
     context.add({Severity::Warning,
                  "edit.selects_nothing",
-                 detail::nameOf(edit) + " finds nothing to change in the " +
-                     std::to_string(path.layers.size()) + " layers of the toolpath",
+                 text("%1 finds nothing to change in the %2 layers of the toolpath",
+                      {detail::nameOf(edit), std::to_string(path.layers.size())}),
                  "fit its layers, bead or region to the present toolpath, or remove it",
                  {},
                  {{"layers", static_cast<double>(path.layers.size())}}});

@@ -173,12 +173,11 @@ private:
   [[noreturn]] void refuse(std::int32_t face, int parameter, double mean) const {
     const geometry::BrepFaceInfo& info = part_.brep->face(face);
     throw Error(ErrorCode::JobFailed,
-                "face " + std::to_string(face) + " (" + info.surfaceType +
-                    (info.name.empty() ? "" : ", " + info.name) +
-                    ") has no iso-parametric curves that lead away from the base: those of " +
-                    (parameter == 0 ? "u" : "v") + " climb at " +
-                    formatFixed(radToDeg(std::acos(std::min(1.0, mean))), 0) +
-                    " degrees to the growth direction",
+                text("face %1 (%2%3) has no iso-parametric curves that lead away from the base: "
+                     "those of %4 climb at %5 degrees to the growth direction",
+                     {std::to_string(face), info.surfaceType,
+                      (info.name.empty() ? "" : ", " + info.name), (parameter == 0 ? "u" : "v"),
+                      formatFixed(radToDeg(std::acos(std::min(1.0, mean))), 0)}),
                 "iso-parametric slicing", "choose the other parameter or another strategy");
   }
 

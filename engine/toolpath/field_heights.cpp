@@ -97,7 +97,7 @@ void setFieldHeights(SlicedLayers& sliced,
 void reportHeights(const SlicedLayers& sliced,
                    const BeadRange& bead,
                    double step,
-                   const std::string& otherwise,
+                   const Text& otherwise,
                    const JobContext& context) {
   double least = std::numeric_limits<double>::infinity();
   double greatest = 0.0;
@@ -134,24 +134,27 @@ void reportHeights(const SlicedLayers& sliced,
   // Heights grow with the step, so that any step in between brings all of them into the range.
   const double from = step * bead.heightMin / least;
   const double to = step * bead.heightMax / greatest;
-  const std::string remedy =
+  const Text remedy =
       from <= to
-          ? "a step between " + formatFixed(from, 2) + " and " + formatFixed(to, 2) + " mm would do"
-          : "the part needs a process whose greatest height is " +
-                formatFixed(greatest / least, 2) + " times the least one; " + otherwise;
-  context.add({Severity::Warning,
-               "slicing.height_out_of_range",
-               formatFixed(100.0 * static_cast<double>(outside) / static_cast<double>(all), 1) +
-                   " % of the points need a height outside of " + formatFixed(bead.heightMin, 2) +
-                   " to " + formatFixed(bead.heightMax, 2) + " mm, by up to " +
-                   formatFixed(worst, 2) + " mm at (" + formatFixed(where.x(), 1) + ", " +
-                   formatFixed(where.y(), 1) + ", " + formatFixed(where.z(), 1) + ")",
-               remedy,
-               place,
-               {{"points", static_cast<double>(outside)},
-                {"least_mm", least},
-                {"greatest_mm", greatest},
-                {"excess_mm", worst}}});
+          ? text("a step between %1 and %2 mm would do", {formatFixed(from, 2), formatFixed(to, 2)})
+          : text(
+                "the part needs a process whose greatest height is %1 times the least one; "
+                "%2",
+                {formatFixed(greatest / least, 2), otherwise});
+  context.add(
+      {Severity::Warning,
+       "slicing.height_out_of_range",
+       text("%1 % of the points need a height outside of %2 to %3 mm, by up to %4 mm at (%5, %6, "
+            "%7)",
+            {formatFixed(100.0 * static_cast<double>(outside) / static_cast<double>(all), 1),
+             formatFixed(bead.heightMin, 2), formatFixed(bead.heightMax, 2), formatFixed(worst, 2),
+             formatFixed(where.x(), 1), formatFixed(where.y(), 1), formatFixed(where.z(), 1)}),
+       remedy,
+       place,
+       {{"points", static_cast<double>(outside)},
+        {"least_mm", least},
+        {"greatest_mm", greatest},
+        {"excess_mm", worst}}});
 }
 
 void reportDownward(const SlicedLayers& sliced, const Vec3& up, const JobContext& context) {
@@ -169,9 +172,9 @@ void reportDownward(const SlicedLayers& sliced, const Vec3& up, const JobContext
     const Vec3& p = sliced.layers[first].contours.front().points.front().p;
     context.add({Severity::Warning,
                  "slicing.grows_down",
-                 std::to_string(count) + " layers grow downwards, the first at (" +
-                     formatFixed(p.x(), 1) + ", " + formatFixed(p.y(), 1) + ", " +
-                     formatFixed(p.z(), 1) + ")",
+                 text("%1 layers grow downwards, the first at (%2, %3, %4)",
+                      {std::to_string(count), formatFixed(p.x(), 1), formatFixed(p.y(), 1),
+                       formatFixed(p.z(), 1)}),
                  "turn the part with a positioner, or let planes across the build direction cut it",
                  {{}, static_cast<int>(first), -1, -1},
                  {{"layers", static_cast<double>(count)}}});

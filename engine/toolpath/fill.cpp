@@ -34,7 +34,7 @@ constexpr double kReach = 2.5;
 constexpr double kStrokeTolerance = 0.01;
 
 void check(const FillOptions& o) {
-  const auto refuse = [](const char* what, const char* place, const char* hint) {
+  const auto refuse = [](const Text& what, const Text& place, const Text& hint) {
     throw Error(ErrorCode::InvalidArgument, what, place, hint);
   };
   if (!(o.width > 0.0) || !std::isfinite(o.width)) {

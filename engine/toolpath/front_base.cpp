@@ -112,8 +112,8 @@ FrontBase leavingCurves(const SurfacePatch& patch,
   if (unrefined > 0) {
     context.add({Severity::Warning,
                  "slicing.refinement_failed",
-                 std::to_string(unrefined) +
-                     " nodes of the base curve keep their place on the tessellation",
+                 text("%1 nodes of the base curve keep their place on the tessellation",
+                      {std::to_string(unrefined)}),
                  "lower the tessellation's chord tolerance",
                  {},
                  {{"nodes", static_cast<double>(unrefined)}}});
@@ -221,8 +221,9 @@ FrontBase findFrontBase(const SurfacePatch& patch,
   chainRim(patch, rimHalfEdges(part, on, flat), base);
   if (base.curves.empty()) {
     throw Error(ErrorCode::JobFailed,
-                "the part does not touch the substrate along a curve; its lowest point is " +
-                    formatFixed(least, 3) + " mm above it",
+                text("the part does not touch the substrate along a curve; its lowest point is %1 "
+                     "mm above it",
+                     {formatFixed(least, 3)}),
                 "slicing", "move the part onto the substrate, or a little into it");
   }
   return base;

@@ -97,9 +97,10 @@ std::vector<double> evenLevels(const MeanHeight& height, double spacing) {
   const Vec3& p = second.points.front();
   throw Error(
       ErrorCode::JobFailed,
-      "the part branches: at " + formatFixed(100.0 * level, 1) + " % of its height there are " +
-          std::to_string(count) + " curves, one of them at (" + formatFixed(p.x(), 1) + ", " +
-          formatFixed(p.y(), 1) + ", " + formatFixed(p.z(), 1) + ")",
+      text("the part branches: at %1 % of its height there are %2 curves, one of them at (%3, %4, "
+           "%5)",
+           {formatFixed(100.0 * level, 1), std::to_string(count), formatFixed(p.x(), 1),
+            formatFixed(p.y(), 1), formatFixed(p.z(), 1)}),
       "continuous spiral",
       "a spiral needs a part with a single branch: slice it with the strategy for branches, "
       "or select the faces of one branch");
@@ -129,8 +130,8 @@ std::vector<Loop> levelLoops(const Wall& wall,
         refuseBranches(levels[k] / field.end, *only, count);
       }
       throw Error(ErrorCode::JobFailed,
-                  "the curve at " + formatFixed(100.0 * levels[k] / field.end, 1) +
-                      " % of the part's height is not closed",
+                  text("the curve at %1 % of the part's height is not closed",
+                       {formatFixed(100.0 * levels[k] / field.end, 1)}),
                   "continuous spiral",
                   "a spiral runs around a tube or a cap: close slits in the surface, or slice it "
                   "with open beads");

@@ -183,10 +183,10 @@ Generatrices decomposeByEnvelope(const Wall& wall,
     const double angle = -2.0 * kPi * static_cast<double>(i) / static_cast<double>(count);
     std::vector<Vec3> line = projectedLine(envelope, angle, low, high, spacing);
     if (line.size() < 2) {
-      throw Error(
-          ErrorCode::JobFailed,
-          "the envelope's line at " + formatFixed(-radToDeg(angle), 1) + "° does not meet the part",
-          "continuous spiral", "use the iso-value or the geodesic decomposition");
+      throw Error(ErrorCode::JobFailed,
+                  text("the envelope's line at %1° does not meet the part",
+                       {formatFixed(-radToDeg(angle), 1)}),
+                  "continuous spiral", "use the iso-value or the geodesic decomposition");
     }
     std::vector<Vec3> points;
     for (const geometry::ProjectedPoint& point : wall.projector->project(line, context)) {
@@ -202,9 +202,10 @@ Generatrices decomposeByEnvelope(const Wall& wall,
   if (worst.distance > options.step) {
     const Vec3& p = wall.part->mesh.vertices[worst.vertex];
     throw Error(ErrorCode::JobFailed,
-                "the envelope does not reach the surface at (" + formatFixed(p.x(), 1) + ", " +
-                    formatFixed(p.y(), 1) + ", " + formatFixed(p.z(), 1) + "), " +
-                    formatFixed(worst.distance, 1) + " mm beside it: there is an overhang",
+                text("the envelope does not reach the surface at (%1, %2, %3), %4 mm beside it: "
+                     "there is an overhang",
+                     {formatFixed(p.x(), 1), formatFixed(p.y(), 1), formatFixed(p.z(), 1),
+                      formatFixed(worst.distance, 1)}),
                 "continuous spiral", "use the iso-value or the geodesic decomposition");
   }
   return result;

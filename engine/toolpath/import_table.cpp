@@ -76,7 +76,7 @@ public:
         context.check();
       }
       if (++points > kMaxPoints) {
-        fail("more than " + std::to_string(kMaxPoints) + " points", "divide the path");
+        fail(text("more than %1 points", {std::to_string(kMaxPoints)}), "divide the path");
       }
       addRow(readRow());
     }
@@ -92,9 +92,10 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& message, const std::string& hint) const {
+  [[noreturn]] void fail(const Text& message, const Text& hint) const {
     throw Error(ErrorCode::InputInvalid, message,
-                source_ + (line_ > 0 ? ", line " + std::to_string(line_) : std::string()), hint);
+                line_ > 0 ? text("%1, line %2", {source_, std::to_string(line_)}) : Text(source_),
+                hint);
   }
 
   [[nodiscard]] bool has(Column column) const { return place_[column].has_value(); }
@@ -133,7 +134,7 @@ private:
       for (std::size_t c = 0; c < kColumns; ++c) {
         if (cells_[i] == kNames[c]) {
           if (place_[c]) {
-            fail("the column " + std::string(kNames[c]) + " stands twice in the header",
+            fail(text("the column %1 stands twice in the header", {std::string(kNames[c])}),
                  "remove one of them");
           }
           place_[c] = i;
@@ -143,15 +144,15 @@ private:
     checkUnits();
     for (const Column needed : {kLayer, kBead, kX, kY, kZ}) {
       if (!has(needed)) {
-        fail("the header has no column " + std::string(kNames[needed]),
+        fail(text("the header has no column %1", {std::string(kNames[needed])}),
              "the header names the columns: layer,bead,x_mm,y_mm,z_mm and more");
       }
     }
     for (const Column first : {kNx, kBx, kAx}) {
       if (has(first) != has(static_cast<Column>(first + 1)) ||
           has(first) != has(static_cast<Column>(first + 2))) {
-        fail("only a part of the columns " + std::string(kNames[first]) + ", " + kNames[first + 1] +
-                 ", " + kNames[first + 2] + " is there",
+        fail(text("only a part of the columns %1, %2, %3 is there",
+                  {std::string(kNames[first]), kNames[first + 1], kNames[first + 2]}),
              "give all three or none");
       }
     }
@@ -169,8 +170,8 @@ private:
         const std::string_view quantity = known.substr(0, unit);
         if (cell == quantity ||
             (cell.starts_with(quantity) && cell.substr(quantity.size()).starts_with('_'))) {
-          fail("the column '" + std::string(cell) + "' is not in mm",
-               "convert it and name it " + std::string(known));
+          fail(text("the column '%1' is not in mm", {std::string(cell)}),
+               text("convert it and name it %1", {std::string(known)}));
         }
       }
     }
@@ -181,8 +182,8 @@ private:
   [[nodiscard]] double number(Column column, double limit) const {
     const std::optional<double> value = parseReal(cell(column));
     if (!value || std::abs(*value) > limit) {
-      fail(std::string(kNames[column]) + " is '" + std::string(cell(column)) +
-               "', not a number within " + formatFixed(limit, 0),
+      fail(text("%1 is '%2', not a number within %3",
+                {std::string(kNames[column]), std::string(cell(column)), formatFixed(limit, 0)}),
            "numbers have a decimal point and no unit");
     }
     return *value;
@@ -192,8 +193,8 @@ private:
     constexpr double kLargest = 1e9;
     const double value = number(column, kLargest);
     if (value < 0.0 || value != std::floor(value)) {
-      fail(std::string(kNames[column]) + " is '" + std::string(cell(column)) +
-               "', not a whole number from 0",
+      fail(text("%1 is '%2', not a whole number from 0",
+                {std::string(kNames[column]), std::string(cell(column))}),
            "count layers and beads from 0");
     }
     return static_cast<int>(value);
@@ -212,8 +213,8 @@ private:
     const Vec3 v = vector(first);
     constexpr double kShortest = 1e-6;
     if (!(v.norm() > kShortest)) {
-      fail(std::string("the vector ") + kNames[first] + ", " + kNames[first + 1] + ", " +
-               kNames[first + 2] + " has no length",
+      fail(text("the vector %1, %2, %3 has no length",
+                {kNames[first], kNames[first + 1], kNames[first + 2]}),
            "give a direction, or leave the three columns out");
     }
     return v.normalized();
@@ -222,7 +223,7 @@ private:
   [[nodiscard]] double size(Column column) const {
     const double value = number(column, kMaxLength);
     if (value < 0.0) {
-      fail(std::string(kNames[column]) + " is negative",
+      fail(text("%1 is negative", {std::string(kNames[column])}),
            "give a length, or 0 where it is not known");
     }
     return value;
@@ -230,13 +231,13 @@ private:
 
   Row readRow() {
     if (cells_.size() != columns_) {
-      fail("the line has " + std::to_string(cells_.size()) + " cells, the header " +
-               std::to_string(columns_),
+      fail(text("the line has %1 cells, the header %2",
+                {std::to_string(cells_.size()), std::to_string(columns_)}),
            "write one cell per column");
     }
     if (has(kOp)) {
       if (operation_ && *operation_ != cell(kOp)) {
-        fail("a second operation '" + std::string(cell(kOp)) + "' begins",
+        fail(text("a second operation '%1' begins", {std::string(cell(kOp))}),
              "give each operation a table of its own");
       }
       operation_ = cell(kOp);
@@ -259,9 +260,9 @@ private:
     const bool newBead = newLayer || row.bead != last_->bead;
     if (last_ &&
         (row.layer < last_->layer || (row.layer == last_->layer && row.bead < last_->bead))) {
-      fail("layer " + std::to_string(row.layer) + ", bead " + std::to_string(row.bead) +
-               " follows layer " + std::to_string(last_->layer) + ", bead " +
-               std::to_string(last_->bead),
+      fail(text("layer %1, bead %2 follows layer %3, bead %4",
+                {std::to_string(row.layer), std::to_string(row.bead), std::to_string(last_->layer),
+                 std::to_string(last_->bead)}),
            "order the rows by layer, bead and point");
     }
     if (newBead) {

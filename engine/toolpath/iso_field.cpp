@@ -251,8 +251,8 @@ private:
       const double wanted = height / options_.step - options_.firstLayer + 1.0;
       if (wanted < 0.5) {
         throw Error(ErrorCode::JobFailed,
-                    "the wall is only " + formatFixed(height, 2) + " mm high, less than the " +
-                        formatFixed(options_.step, 2) + " mm of a layer",
+                    text("the wall is only %1 mm high, less than the %2 mm of a layer",
+                         {formatFixed(height, 2), formatFixed(options_.step, 2)}),
                     kPlace, "choose a smaller step");
       }
       layers.push_back(std::max(1.0, std::round(wanted)));

@@ -191,15 +191,17 @@ void addLeads(Schema<PathParams>& schema) {
 /// One end's ramp: its length and the two factors.
 void addRamp(Schema<PathParams>& schema,
              const std::string& key,
-             const std::string& where,
+             bool start,
              Length PathParams::*length,
              double PathParams::*speed,
              double PathParams::*wire) {
   const auto factor = [&](const std::string& what) {
     return ParamInfo{
         .key = key + "_" + what,
-        .label = (what == "wire" ? "Wire feed at the " : "Travel speed at the ") + where,
-        .help = "Factor at the " + where + "; linear to 1 over the ramp.",
+        .label = what == "wire" ? (start ? "Wire feed at the start" : "Wire feed at the end")
+                                : (start ? "Travel speed at the start" : "Travel speed at the end"),
+        .help = start ? "Factor at the start; linear to 1 over the ramp."
+                      : "Factor at the end; linear to 1 over the ramp.",
         .group = "Start and end",
         .level = ParamLevel::Advanced,
         .min = 0.1,
@@ -207,7 +209,7 @@ void addRamp(Schema<PathParams>& schema,
   };
   schema
       .add(length, {.key = key,
-                    .label = "Ramp at the " + where,
+                    .label = start ? "Ramp at the start" : "Ramp at the end",
                     .help = "Length over which travel speed and wire feed change. The heat is "
                             "least at the start and greatest at the end of a bead.",
                     .group = "Start and end",
@@ -289,9 +291,9 @@ Schema<PathParams> makeSchema() {
   addOrder(schema);
   addBeads(schema);
   addLeads(schema);
-  addRamp(schema, "ramp_in", "start", &PathParams::rampIn, &PathParams::rampInSpeed,
+  addRamp(schema, "ramp_in", true, &PathParams::rampIn, &PathParams::rampInSpeed,
           &PathParams::rampInWire);
-  addRamp(schema, "ramp_out", "end", &PathParams::rampOut, &PathParams::rampOutSpeed,
+  addRamp(schema, "ramp_out", false, &PathParams::rampOut, &PathParams::rampOutSpeed,
           &PathParams::rampOutWire);
   addToolAxis(schema);
   return schema;

@@ -195,11 +195,12 @@ void requireRevolution(const PartSurface& part, const Axis& axis, const Meridian
     }
     const double d = tree.distance(Vec3(m[0], 0.0, m[1]));
     if (d > allowed) {
-      throw Error(ErrorCode::JobFailed,
-                  "the part is no body of revolution: the point (" + formatFixed(v.x(), 3) + ", " +
-                      formatFixed(v.y(), 3) + ", " + formatFixed(v.z(), 3) + ") is " +
-                      formatFixed(d, 3) + " mm off the profile",
-                  "iso-parametric slicing", "give the right axis, or use another strategy");
+      throw Error(
+          ErrorCode::JobFailed,
+          text("the part is no body of revolution: the point (%1, %2, %3) is %4 mm off the profile",
+               {formatFixed(v.x(), 3), formatFixed(v.y(), 3), formatFixed(v.z(), 3),
+                formatFixed(d, 3)}),
+          "iso-parametric slicing", "give the right axis, or use another strategy");
     }
   }
 }

@@ -138,9 +138,9 @@ void report(const LevelResult& result, int layer, const JobContext& context) {
   if (result.unrefined > 0) {
     context.add({Severity::Warning,
                  "slicing.refinement_failed",
-                 std::to_string(result.unrefined) +
-                     " nodes of the layer could not be moved onto the exact surface and keep their "
-                     "place on the tessellation",
+                 text("%1 nodes of the layer could not be moved onto the exact surface and keep "
+                      "their place on the tessellation",
+                      {std::to_string(result.unrefined)}),
                  "lower the tessellation's chord tolerance, or move the layers off tangent faces",
                  {{}, layer, -1, -1},
                  {{"nodes", static_cast<double>(result.unrefined)}}});
@@ -209,7 +209,7 @@ SlicedLayers assemble(std::vector<LevelResult> results,
     if (results[l].contours.empty()) {
       context.add({Severity::Information,
                    "slicing.empty_layer",
-                   "the layer at " + formatFixed(levels[l].value, 3) + " meets no part",
+                   text("the layer at %1 meets no part", {formatFixed(levels[l].value, 3)}),
                    "",
                    {},
                    {{"level", levels[l].value}}});

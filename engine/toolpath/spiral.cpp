@@ -82,16 +82,17 @@ void reportHeights(const SpiralPlan& plan,
     greatest = std::max(greatest, h);
   }
   if (outside > 0) {
-    context.add({Severity::Warning,
-                 "slicing.spiral_height",
-                 std::to_string(outside) + " points have a deposit height outside of " +
-                     formatFixed(wish.heightMin, 3) + " to " + formatFixed(wish.heightMax, 3) +
-                     " mm: " + formatFixed(least, 3) + " to " + formatFixed(greatest, 3) + " mm",
-                 "widen the modulation range, or choose another decomposition",
-                 {{}, 0, -1, -1},
-                 {{"points", static_cast<double>(outside)},
-                  {"height_min_mm", least},
-                  {"height_max_mm", greatest}}});
+    context.add(
+        {Severity::Warning,
+         "slicing.spiral_height",
+         text("%1 points have a deposit height outside of %2 to %3 mm: %4 to %5 mm",
+              {std::to_string(outside), formatFixed(wish.heightMin, 3),
+               formatFixed(wish.heightMax, 3), formatFixed(least, 3), formatFixed(greatest, 3)}),
+         "widen the modulation range, or choose another decomposition",
+         {{}, 0, -1, -1},
+         {{"points", static_cast<double>(outside)},
+          {"height_min_mm", least},
+          {"height_max_mm", greatest}}});
   }
 }
 
@@ -154,25 +155,25 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
     shortest = std::min(shortest, curve.length());
     longest = std::max(longest, curve.length());
   }
-  context.add({Severity::Information,
-               "slicing.spiral",
-               "one bead of " + std::to_string(plan.turns.size()) + " revolutions, " +
-                   formatFixed(plan.regularMin, 3) + " to " + formatFixed(plan.regularMax, 3) +
-                   " mm deposit; generatrices of " + formatFixed(shortest, 2) + " to " +
-                   formatFixed(longest, 2) + " mm",
-               "",
-               {{}, 0, 0, -1},
-               {{"revolutions", static_cast<double>(plan.turns.size())},
-                {"start_revolutions", static_cast<double>(plan.startTurns)},
-                {"end_revolutions", static_cast<double>(plan.endTurns)},
-                {"deposit_min_mm", plan.regularMin},
-                {"deposit_max_mm", plan.regularMax},
-                {"deposit_mean_mm", plan.regularMean},
-                {"shortest_mm", shortest},
-                {"longest_mm", longest},
-                {"seam_step_mm", plan.largestSeamStep},
-                {"generatrices", static_cast<double>(curves.size())},
-                {"filled", static_cast<double>(generatrices.filled)}}});
+  context.add(
+      {Severity::Information,
+       "slicing.spiral",
+       text("one bead of %1 revolutions, %2 to %3 mm deposit; generatrices of %4 to %5 mm",
+            {std::to_string(plan.turns.size()), formatFixed(plan.regularMin, 3),
+             formatFixed(plan.regularMax, 3), formatFixed(shortest, 2), formatFixed(longest, 2)}),
+       "",
+       {{}, 0, 0, -1},
+       {{"revolutions", static_cast<double>(plan.turns.size())},
+        {"start_revolutions", static_cast<double>(plan.startTurns)},
+        {"end_revolutions", static_cast<double>(plan.endTurns)},
+        {"deposit_min_mm", plan.regularMin},
+        {"deposit_max_mm", plan.regularMax},
+        {"deposit_mean_mm", plan.regularMean},
+        {"shortest_mm", shortest},
+        {"longest_mm", longest},
+        {"seam_step_mm", plan.largestSeamStep},
+        {"generatrices", static_cast<double>(curves.size())},
+        {"filled", static_cast<double>(generatrices.filled)}}});
   return sliced;
 }
 

@@ -167,9 +167,9 @@ void reportFieldSpiral(const SpiralPlan& plan,
   }
   context.add({Severity::Information,
                "slicing.spiral",
-               "one bead of " + std::to_string(plan.turns.size()) + " revolutions, " +
-                   formatFixed(least, 3) + " to " + formatFixed(greatest, 3) +
-                   " mm deposit; mean generatrix " + formatFixed(meanLength, 2) + " mm",
+               text("one bead of %1 revolutions, %2 to %3 mm deposit; mean generatrix %4 mm",
+                    {std::to_string(plan.turns.size()), formatFixed(least, 3),
+                     formatFixed(greatest, 3), formatFixed(meanLength, 2)}),
                "",
                {{}, 0, 0, -1},
                {{"revolutions", static_cast<double>(plan.turns.size())},
@@ -180,16 +180,17 @@ void reportFieldSpiral(const SpiralPlan& plan,
                 {"mean_length_mm", meanLength},
                 {"seam_step_mm", plan.largestSeamStep}}});
   if (outside > 0 && !(wish.secondHeight > 0.0)) {
-    context.add({Severity::Warning,
-                 "slicing.spiral_height",
-                 std::to_string(outside) + " points have a deposit height outside of " +
-                     formatFixed(wish.heightMin, 3) + " to " + formatFixed(wish.heightMax, 3) +
-                     " mm: " + formatFixed(least, 3) + " to " + formatFixed(greatest, 3) + " mm",
-                 "widen the modulation range, or choose another decomposition",
-                 {{}, 0, -1, -1},
-                 {{"points", static_cast<double>(outside)},
-                  {"height_min_mm", least},
-                  {"height_max_mm", greatest}}});
+    context.add(
+        {Severity::Warning,
+         "slicing.spiral_height",
+         text("%1 points have a deposit height outside of %2 to %3 mm: %4 to %5 mm",
+              {std::to_string(outside), formatFixed(wish.heightMin, 3),
+               formatFixed(wish.heightMax, 3), formatFixed(least, 3), formatFixed(greatest, 3)}),
+         "widen the modulation range, or choose another decomposition",
+         {{}, 0, -1, -1},
+         {{"points", static_cast<double>(outside)},
+          {"height_min_mm", least},
+          {"height_max_mm", greatest}}});
   }
 }
 

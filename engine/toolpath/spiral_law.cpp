@@ -19,7 +19,7 @@ constexpr double kWhole = 1e-9;
 /// A height may pass its limit by this part before it counts as outside: rounding of the sums.
 constexpr double kHeightRounding = 1e-9;
 
-[[noreturn]] void refuse(ErrorCode code, const std::string& message, const std::string& hint) {
+[[noreturn]] void refuse(ErrorCode code, const Text& message, const Text& hint) {
   throw Error(code, message, "continuous spiral", hint);
 }
 
@@ -30,8 +30,8 @@ void checkRange(double heightMin, double heightMax) {
   }
   if (heightMin > heightMax) {
     refuse(ErrorCode::InvalidArgument,
-           "h_min (" + formatFixed(heightMin, 3) + " mm) is above h_max (" +
-               formatFixed(heightMax, 3) + " mm)",
+           text("h_min (%1 mm) is above h_max (%2 mm)",
+                {formatFixed(heightMin, 3), formatFixed(heightMax, 3)}),
            "exchange them");
   }
   if (!(heightMax - heightMin > kWhole * heightMax)) {
@@ -299,12 +299,12 @@ SpiralPlan planContinuous(const std::vector<double>& lengths, const SpiralWish& 
         2.0 * std::ceil(wish.height / (wish.heightMax - wish.heightMin)) * wish.heightMin +
         2.0 * wish.height;
     refuse(ErrorCode::JobFailed,
-           "generatrix " + std::to_string(shortest - lengths.begin()) + " is " +
-               formatFixed(*shortest, 2) +
-               " mm long, too short for the start and the end of a spiral",
-           "at ±" + formatFixed(50.0 * (wish.heightMax - wish.heightMin) / wish.height, 0) +
-               " % about " + formatFixed(need, 1) +
-               " mm are needed: widen the range, lower the deposit, or start with a simple ramp");
+           text("generatrix %1 is %2 mm long, too short for the start and the end of a spiral",
+                {std::to_string(shortest - lengths.begin()), formatFixed(*shortest, 2)}),
+           text("at ±%1 % about %2 mm are needed: widen the range, lower the deposit, or start "
+                "with a simple ramp",
+                {formatFixed(50.0 * (wish.heightMax - wish.heightMin) / wish.height, 0),
+                 formatFixed(need, 1)}));
   }
   const Regular& regular = chosen->first;
   SpiralPlan plan;
@@ -361,9 +361,9 @@ SpiralPlan planLiteral(const std::vector<double>& lengths, const SpiralWish& wis
   const auto [shortest, longest] = std::minmax_element(left.begin(), left.end());
   if (!(*shortest >= wish.heightMin)) {
     refuse(ErrorCode::JobFailed,
-           "generatrix " + std::to_string(shortest - left.begin()) + " is " +
-               formatFixed(lengths[static_cast<std::size_t>(shortest - left.begin())], 2) +
-               " mm long, too short for the start of a spiral",
+           text("generatrix %1 is %2 mm long, too short for the start of a spiral",
+                {std::to_string(shortest - left.begin()),
+                 formatFixed(lengths[static_cast<std::size_t>(shortest - left.begin())], 2)}),
            "widen the range, lower the deposit, or start without ramps");
   }
   auto count = static_cast<long>(std::floor(*shortest / wish.heightMin + kWhole));
@@ -457,8 +457,9 @@ SpiralPlan planSpiral(const std::vector<double>& lengths, const SpiralWish& wish
   checkRange(wish.heightMin, wish.heightMax);
   if (!(wish.height >= wish.heightMin && wish.height <= wish.heightMax)) {
     refuse(ErrorCode::InvalidArgument,
-           "the mean deposit of " + formatFixed(wish.height, 3) + " mm lies outside the range of " +
-               formatFixed(wish.heightMin, 3) + " to " + formatFixed(wish.heightMax, 3) + " mm",
+           text("the mean deposit of %1 mm lies outside the range of %2 to %3 mm",
+                {formatFixed(wish.height, 3), formatFixed(wish.heightMin, 3),
+                 formatFixed(wish.heightMax, 3)}),
            "choose a range around the mean deposit");
   }
   if (lengths.empty()) {
@@ -466,7 +467,7 @@ SpiralPlan planSpiral(const std::vector<double>& lengths, const SpiralWish& wish
   }
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (!(lengths[i] > 0.0) || !std::isfinite(lengths[i])) {
-      refuse(ErrorCode::JobFailed, "generatrix " + std::to_string(i) + " has no length",
+      refuse(ErrorCode::JobFailed, text("generatrix %1 has no length", {std::to_string(i)}),
              "check the part's borders");
     }
   }
@@ -475,14 +476,14 @@ SpiralPlan planSpiral(const std::vector<double>& lengths, const SpiralWish& wish
   return literal ? planLiteral(lengths, wish) : planContinuous(lengths, wish);
 }
 
-std::string rangeThatWouldDo(const std::vector<double>& lengths, const SpiralWish& wish) {
+Text rangeThatWouldDo(const std::vector<double>& lengths, const SpiralWish& wish) {
   const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
   const double half = (*longest - *shortest) / (*longest + *shortest);
   // One more percent for the whole number of revolutions.
   const double percent = std::ceil(100.0 * half) + 1.0;
-  return "±" + formatFixed(percent, 0) + " %, that is " +
-         formatFixed(wish.height * (1.0 - percent / 100.0), 2) + " to " +
-         formatFixed(wish.height * (1.0 + percent / 100.0), 2) + " mm";
+  return text("±%1 %, that is %2 to %3 mm",
+              {formatFixed(percent, 0), formatFixed(wish.height * (1.0 - percent / 100.0), 2),
+               formatFixed(wish.height * (1.0 + percent / 100.0), 2)});
 }
 
 }  // namespace wcam::toolpath

@@ -16,7 +16,7 @@ namespace wcam::toolpath {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& message, const std::string& hint) {
+[[noreturn]] void refuse(const Text& message, const Text& hint) {
   throw Error(ErrorCode::JobFailed, message, "wall", hint);
 }
 
@@ -65,7 +65,7 @@ WallPart prepareWall(const geometry::PartSurface& part,
   }
   const PartBase base = findBase(wall.surface, substrate, context.portion(0.8, 1.0, "base"));
   if (base.kind.size() > 1) {
-    refuse("the part consists of " + std::to_string(base.kind.size()) + " separate pieces",
+    refuse(text("the part consists of %1 separate pieces", {std::to_string(base.kind.size())}),
            "make one operation per piece: select the faces of one of them");
   }
   if (base.lower.size() != 1) {
@@ -77,12 +77,13 @@ WallPart prepareWall(const geometry::PartSurface& part,
       }
     }
     refuse(
-        "the part has " + std::to_string(base.lower.size()) + " lower borders, near " + places,
+        text("the part has %1 lower borders, near %2", {std::to_string(base.lower.size()), places}),
         "a wall stands on one: close the others, or slice the part with the strategy for branches");
   }
   if (base.upper.size() > 1) {
-    refuse("the part has " + std::to_string(base.upper.size()) + " upper borders, one near " +
-               placeOf(wall.surface.mesh.vertices[base.upper[1].vertices[0]]),
+    refuse(text("the part has %1 upper borders, one near %2",
+                {std::to_string(base.upper.size()),
+                 placeOf(wall.surface.mesh.vertices[base.upper[1].vertices[0]])}),
            "close holes in the wall, or slice the part with the strategy for branches");
   }
   if (base.lower.front().vertices.size() < 3) {

@@ -262,7 +262,7 @@ void ImportDialog::show(const io::ImportedPart& part, const std::vector<Diagnost
   };
   row(tr("Format"), qt(r.format));
   row(tr("Unit"),
-      r.unitReason.empty() ? qt(r.unit) : tr("%1 (%2)").arg(qt(r.unit), qt(r.unitReason)));
+      r.unitReason.empty() ? qt(r.unit) : tr("%1 (%2)").arg(qt(r.unit), engineText(r.unitReason)));
   row(tr("Size"), QString("%1 × %2 × %3 mm")
                       .arg(size.x(), 0, 'f', 2)
                       .arg(size.y(), 0, 'f', 2)
@@ -286,9 +286,10 @@ void ImportDialog::show(const io::ImportedPart& part, const std::vector<Diagnost
   if (!findings.empty()) {
     html += "<p><b>" + tr("What was found and repaired") + "</b></p><ul>";
     for (const Diagnostic& d : findings) {
-      html += "<li>" + qt(d.message).toHtmlEscaped() +
-              (d.remedy.empty() ? QString() : " <i>" + qt(d.remedy).toHtmlEscaped() + "</i>") +
-              "</li>";
+      html +=
+          "<li>" + engineText(d.message).toHtmlEscaped() +
+          (d.remedy.empty() ? QString() : " <i>" + engineText(d.remedy).toHtmlEscaped() + "</i>") +
+          "</li>";
     }
     html += "</ul>";
   }

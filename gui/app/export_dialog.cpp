@@ -5,6 +5,7 @@
 #include "wcam/project/run.hpp"
 
 #include "dialogs.hpp"
+#include "widgets/diagnostics_table.hpp"
 #include "widgets/icons.hpp"
 #include "widgets/text.hpp"
 
@@ -117,7 +118,7 @@ ExportDialog::ExportDialog(Session& session, QWidget* parent)
   connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
   runner_.setProgress([this](double fraction, const std::string& label) {
     progress_->setValue(static_cast<int>(1000 * fraction));
-    progress_->setFormat(qt(label) + " %p%");
+    progress_->setFormat(engineText(label) + " %p%");
   });
   resize(620, 640);
 }
@@ -213,7 +214,7 @@ void ExportDialog::show(const project::RunResult& result) {
   for (const project::OperationResult& operation : result.operations) {
     for (const Diagnostic& d : operation.findings) {
       if (d.severity != Severity::Information) {
-        html += "<p><small>" + qt(toLine(d)).toHtmlEscaped() + "</small></p>";
+        html += "<p><small>" + lineText(d).toHtmlEscaped() + "</small></p>";
       }
     }
   }

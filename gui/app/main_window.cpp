@@ -252,7 +252,7 @@ void MainWindow::connectAll() {
     // do.
     progress_->setUpdatesEnabled(false);
     progress_->setValue(static_cast<int>(1000 * fraction));
-    progress_->setFormat(qt(label) + " %p%");
+    progress_->setFormat(engineText(label) + " %p%");
     progress_->setUpdatesEnabled(true);
   });
   connect(cancel_, &QToolButton::clicked, this,

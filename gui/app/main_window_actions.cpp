@@ -398,8 +398,10 @@ void MainWindow::updateActions() {
   QAction* redo = actions_->action("edit.redo");
   undo->setEnabled(history.canUndo());
   redo->setEnabled(history.canRedo());
-  undo->setText(history.canUndo() ? tr("&Undo: %1").arg(qt(history.undoLabel())) : tr("&Undo"));
-  redo->setText(history.canRedo() ? tr("&Redo: %1").arg(qt(history.redoLabel())) : tr("&Redo"));
+  undo->setText(history.canUndo() ? tr("&Undo: %1").arg(engineText(history.undoLabel()))
+                                  : tr("&Undo"));
+  redo->setText(history.canRedo() ? tr("&Redo: %1").arg(engineText(history.redoLabel()))
+                                  : tr("&Redo"));
   const NodeRef node = tree_->selected();
   const bool isNode = !node.id.empty();
   for (const char* id : {"edit.duplicate", "edit.rename", "edit.remove", "edit.up", "edit.down"}) {

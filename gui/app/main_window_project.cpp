@@ -141,11 +141,11 @@ bool MainWindow::mayDiscard() {
                   tr("The project has changes that are not saved:"), QMessageBox::NoButton, this);
   box.setObjectName("unsavedBox");
   QStringList steps;
-  const std::vector<std::string> labels = session_->history().labels();
+  const std::vector<Text> labels = session_->history().labels();
   const std::size_t done = session_->history().position();
   constexpr std::size_t kShown = 6;
   for (std::size_t i = done > kShown ? done - kShown : 0; i < done && i < labels.size(); ++i) {
-    steps.append(qt(labels[i]));
+    steps.append(engineText(labels[i]));
   }
   box.setInformativeText(steps.join("\n"));
   box.addButton(QMessageBox::Save);
@@ -240,7 +240,7 @@ bool MainWindow::openFile(const std::filesystem::path& file) {
     tree_->select({"operations", shownOperation()});
     for (const Diagnostic& finding : findings) {
       if (finding.severity != Severity::Information) {
-        notify(Status::Warning, qt(toLine(finding)));
+        notify(Status::Warning, lineText(finding));
       }
     }
     if (!session_->lockedBy().isEmpty()) {

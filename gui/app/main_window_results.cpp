@@ -62,13 +62,13 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
       continue;
     }
     for (const Diagnostic& finding : operation.path->result().findings) {
-      const QString quoted = qt(finding.message).section('\'', 1, 1);
+      const QString quoted = qt(finding.message.str()).section('\'', 1, 1);
       if (finding.code.starts_with("edit.") && !quoted.isEmpty()) {
         Badge& badge = badges[editRef(operation.id, utf8(quoted))];
         const Status status =
             finding.severity == Severity::Information ? Status::Information : Status::Warning;
         badge.status = badge.status == Status::Warning ? Status::Warning : status;
-        badge.tip += (badge.tip.isEmpty() ? "" : "\n") + qt(finding.message);
+        badge.tip += (badge.tip.isEmpty() ? "" : "\n") + engineText(finding.message);
       }
     }
   }
@@ -79,20 +79,24 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
   // Problems of the project name the place: "operations[0].params.step: ...".
   if (results.error) {
     static const QRegularExpression kPlace("(\\w+)\\[(\\d+)\\]([^:]*): (.*)");
-    for (const QString& line : qt(results.error->message()).split('\n')) {
-      const QRegularExpressionMatch match = kPlace.match(line);
+    // The places are read from the English lines; the shown ones have the same order.
+    const QStringList lines = qt(results.error->message()).split('\n');
+    const QStringList shown = engineText(results.error->messageText()).split('\n');
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+      const QString tip = (shown.size() == lines.size() ? shown : lines)[i].trimmed();
+      const QRegularExpressionMatch match = kPlace.match(lines[i]);
       const Value* list =
           match.hasMatch() ? session_->document().tree().find(utf8(match.captured(1))) : nullptr;
       const auto index = static_cast<std::size_t>(match.captured(2).toInt());
       if (list != nullptr && list->isArray() && index < list->size()) {
         const std::string id = list->asArray()[index].at("id").asString();
-        badges[{utf8(match.captured(1)), id}] = {Status::Error, line.trimmed()};
+        badges[{utf8(match.captured(1)), id}] = {Status::Error, tip};
         static const QRegularExpression kEdit("^\\.edits\\[(\\d+)\\]");
         const QRegularExpressionMatch edit = kEdit.match(match.captured(3));
         const project::Operation* operation = project.operation(id);
         const auto at = static_cast<std::size_t>(edit.captured(1).toInt());
         if (edit.hasMatch() && operation != nullptr && at < operation->edits.size()) {
-          badges[editRef(id, operation->edits[at].id)] = {Status::Error, line.trimmed()};
+          badges[editRef(id, operation->edits[at].id)] = {Status::Error, tip};
         }
       }
     }
@@ -107,8 +111,8 @@ std::vector<FindingRow> MainWindow::findingRows() const {
     FindingRow row;
     row.status = Status::Error;
     row.code = qt(toString(error.code()));
-    row.message = qt(error.what());
-    row.remedy = qt(error.hint());
+    row.message = engineText(error.whatText());
+    row.remedy = engineText(error.hintText());
     row.node = node;
     row.place = place;
     // The same cause of several operations is told once.

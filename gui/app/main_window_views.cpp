@@ -41,11 +41,11 @@ void MainWindow::showTitle() {
 void MainWindow::showHistory() {
   const QSignalBlocker block(history_);
   history_->clear();
-  const std::vector<std::string> labels = session_->history().labels();
+  const std::vector<Text> labels = session_->history().labels();
   // The first entry is the state before all steps.
   history_->addItem(tr("Start"));
-  for (const std::string& label : labels) {
-    history_->addItem(qt(label));
+  for (const Text& label : labels) {
+    history_->addItem(engineText(label));
   }
   const auto position = static_cast<int>(session_->history().position());
   for (int i = 0; i < history_->count(); ++i) {

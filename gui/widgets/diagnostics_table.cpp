@@ -23,8 +23,8 @@ FindingRow rowOf(const Diagnostic& diagnostic) {
                : diagnostic.severity == Severity::Warning ? Status::Warning
                                                           : Status::Information;
   row.code = qt(diagnostic.code);
-  row.message = qt(diagnostic.message);
-  row.remedy = qt(diagnostic.remedy);
+  row.message = engineText(diagnostic.message);
+  row.remedy = engineText(diagnostic.remedy);
   row.jump = diagnostic.place;
   if (!diagnostic.place.operation.empty()) {
     row.node = {"operations", diagnostic.place.operation};
@@ -41,6 +41,12 @@ FindingRow rowOf(const Diagnostic& diagnostic) {
     row.place += DiagnosticsTable::tr(" point %1").arg(diagnostic.place.point + 1);
   }
   return row;
+}
+
+QString lineText(const Diagnostic& diagnostic) {
+  const FindingRow row = rowOf(diagnostic);
+  return row.code + (row.place.isEmpty() ? QString() : " [" + row.place.trimmed() + "]") + ": " +
+         row.message + (row.remedy.isEmpty() ? QString() : " (" + row.remedy + ")");
 }
 
 class DiagnosticsTable::Model : public QAbstractTableModel {

@@ -32,6 +32,9 @@ struct FindingRow {
 
 FindingRow rowOf(const Diagnostic& diagnostic);
 
+/// A finding in one line: code, place, message, remedy.
+QString lineText(const Diagnostic& diagnostic);
+
 /// Findings with a filter; a double click tells where to jump.
 class DiagnosticsTable : public QWidget {
   Q_OBJECT

@@ -489,14 +489,14 @@ void ParamForm::commitText(const std::string& section,
     object.set(key, value);
     const std::vector<ParamProblem> problems = found->schema.validate(object);
     if (!problems.empty()) {
-      showError(section, key, qt(problems.front().message));
+      showError(section, key, engineText(problems.front().message));
       return;
     }
     row->error->hide();
     // The document may answer at once and rebuild this form.
     emit edited(std::string(section), std::string(key), value);
   } catch (const Error& error) {
-    showError(section, key, qt(error.message()));
+    showError(section, key, engineText(error.messageText()));
   }
 }
 
@@ -547,7 +547,7 @@ void ParamForm::takeValues() {
       const auto problem =
           std::find_if(problems.begin(), problems.end(),
                        [&](const ParamProblem& p) { return p.path == row.def.info.key; });
-      row.problem = problem != problems.end() ? qt(problem->message) : QString();
+      row.problem = problem != problems.end() ? engineText(problem->message) : QString();
       if (row.field != nullptr) {
         showValue(row, changed);
       }

@@ -8,9 +8,10 @@
 namespace wcam::gui {
 
 QString errorText(const Error& error) {
-  QString text = qt(error.what());
+  QString text = engineText(error.whatText());
   if (!error.hint().empty()) {
-    text += "\n" + QCoreApplication::translate("text", "Hint: %1").arg(qt(error.hint()));
+    text +=
+        "\n" + QCoreApplication::translate("text", "Hint: %1").arg(engineText(error.hintText()));
   }
   return text;
 }
@@ -83,8 +84,10 @@ QString kindName(Quantity quantity, int kind) {
   return QString::number(kind);
 }
 
-QString engineText(const std::string& text) {
-  return QCoreApplication::translate("engine", text.c_str());
+QString engineText(const Text& text) {
+  return qt(render(text, [](const std::string& pattern) {
+    return utf8(QCoreApplication::translate("engine", pattern.c_str()));
+  }));
 }
 
 }  // namespace wcam::gui

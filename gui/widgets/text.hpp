@@ -3,6 +3,7 @@
 #pragma once
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/text.hpp"
 
 #include "model/path_model.hpp"
 
@@ -20,7 +21,7 @@ inline std::string utf8(const QString& text) {
   return text.toUtf8().toStdString();
 }
 
-/// Message, place and hint of an error as camcli tells them.
+/// Message, place and hint of an error as camcli tells them, in the language of the program.
 QString errorText(const Error& error);
 
 /// Translated name of a quantity.
@@ -29,8 +30,8 @@ QString nameOf(Quantity quantity);
 /// Name of a kind of a quantity of kinds.
 QString kindName(Quantity quantity, int kind);
 
-/// The engine's texts (labels and helps of parameters, findings) in the language of the program:
-/// from the context "engine" of the translations; the text itself when there is none.
-QString engineText(const std::string& text);
+/// The engine's texts (labels and helps of parameters, findings, errors) in the language of the
+/// program: from the context "engine" of the translations; the English text where there is none.
+QString engineText(const Text& text);
 
 }  // namespace wcam::gui

@@ -160,9 +160,10 @@ private:
     const double number = perMinute ? speed * kCmPerMinute : speed;
     const std::int64_t digits = fixedDigits(number, dialect_.speedDecimals);
     if (digits == 0) {
-      throw wcam::Error(wcam::ErrorCode::JobFailed,
-                        "a speed of " + std::to_string(speed) + " mm/s would be written as 0",
-                        program_.name, "write speeds in cm/min or with more decimals");
+      throw wcam::Error(
+          wcam::ErrorCode::JobFailed,
+          wcam::text("a speed of %1 mm/s would be written as 0", {std::to_string(speed)}),
+          program_.name, "write speeds in cm/min or with more decimals");
     }
     const double printed =
         static_cast<double>(digits) / std::pow(10.0, static_cast<double>(dialect_.speedDecimals));

@@ -28,8 +28,8 @@ void checkCell(const Program& program, const Dialect& dialect) {
   const auto& cell = program.cell;
   if (cell.robotJoints > kMaxGroupAxes) {
     throw Error(ErrorCode::JobFailed,
-                "a FANUC motion group has at most 9 axes, the robot has " +
-                    std::to_string(cell.robotJoints),
+                wcam::text("a FANUC motion group has at most 9 axes, the robot has %1",
+                           {std::to_string(cell.robotJoints)}),
                 program.name, "use a cell with a FANUC robot");
   }
   if (dialect.mode != Mode::Cartesian) {
@@ -37,8 +37,8 @@ void checkCell(const Program& program, const Dialect& dialect) {
   }
   if (cell.robotJoints != 6) {
     throw Error(ErrorCode::JobFailed,
-                "Cartesian positions need a robot with 6 joints, this one has " +
-                    std::to_string(cell.robotJoints),
+                wcam::text("Cartesian positions need a robot with 6 joints, this one has %1",
+                           {std::to_string(cell.robotJoints)}),
                 program.name, "set mode=joint");
   }
   const auto robotEnd =

@@ -179,10 +179,10 @@ private:
     const double metres = speed / kMmPerMetre;
     const std::int64_t digits = fixedDigits(metres, dialect_.speedDecimals);
     if (digits == 0 || metres > kFastest) {
-      throw Error(
-          ErrorCode::JobFailed,
-          "a speed of " + wcam::formatFixed(speed, 6) + " mm/s cannot be written to $VEL.CP",
-          program_.name, "use speeds up to 3 m/s, and more decimals for slow ones");
+      throw Error(ErrorCode::JobFailed,
+                  wcam::text("a speed of %1 mm/s cannot be written to $VEL.CP",
+                             {wcam::formatFixed(speed, 6)}),
+                  program_.name, "use speeds up to 3 m/s, and more decimals for slow ones");
     }
     if (pathSpeed_.changes(digits)) {
       out_.text("$VEL.CP = ").digits(digits, dialect_.speedDecimals).text("\n");

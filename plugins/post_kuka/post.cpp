@@ -27,11 +27,11 @@ constexpr int kMaxExternalAxes = 6;
 void checkCell(const Program& program, const Dialect& dialect) {
   const auto& cell = program.cell;
   if (cell.robotJoints != kRobotAxes || cell.positionerJoints > kMaxExternalAxes) {
-    throw Error(ErrorCode::JobFailed,
-                "a KUKA program has 6 robot axes and up to 6 external ones, the cell " +
-                    std::to_string(cell.robotJoints) + " and " +
-                    std::to_string(cell.positionerJoints),
-                program.name, "use a cell with a KUKA robot");
+    throw Error(
+        ErrorCode::JobFailed,
+        wcam::text("a KUKA program has 6 robot axes and up to 6 external ones, the cell %1 and %2",
+                   {std::to_string(cell.robotJoints), std::to_string(cell.positionerJoints)}),
+        program.name, "use a cell with a KUKA robot");
   }
   const auto robotEnd =
       cell.linearJoint.begin() + (cell.linearJoint.empty() ? 0 : cell.robotJoints);
@@ -54,17 +54,17 @@ void checkTexts(const Dialect& dialect) {
       (dialect.status.size() == 3 && dialect.status.find_first_not_of("01") == std::string::npos);
   if (!bits) {
     throw Error(ErrorCode::InvalidArgument,
-                "status '" + dialect.status + "' is not three binary digits", context,
+                wcam::text("status '%1' is not three binary digits", {dialect.status}), context,
                 "write it like 010, or leave it empty");
   }
   for (const std::string& text : {dialect.arcOn, dialect.arcOff, dialect.wireVariable}) {
     const bool plain =
         std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
     if (!plain) {
-      throw Error(
-          ErrorCode::InvalidArgument,
-          "KRL lines take printable ASCII only: '" + wcam::program::asciiComment(text) + "'",
-          context, "separate lines by '|'");
+      throw Error(ErrorCode::InvalidArgument,
+                  wcam::text("KRL lines take printable ASCII only: '%1'",
+                             {wcam::program::asciiComment(text)}),
+                  context, "separate lines by '|'");
     }
   }
 }

@@ -109,8 +109,8 @@ private:
     for (const auto& [piece, method] : options_.methods.own) {
       if (piece >= pieces) {
         throw Error(ErrorCode::JobFailed,
-                    "the part has no piece " + std::to_string(piece) + ": its pieces are 0 to " +
-                        std::to_string(pieces - 1),
+                    text("the part has no piece %1: its pieces are 0 to %2",
+                         {std::to_string(piece), std::to_string(pieces - 1)}),
                     "slicing of branching parts, pieces",
                     "correct the number in 'pieces', or lower the least branch");
       }
@@ -129,14 +129,16 @@ private:
     std::string where;
     constexpr std::size_t kNamed = 5;
     for (std::size_t i = 0; i < std::min(cuts.size(), kNamed); ++i) {
-      where += (i > 0 ? ", " : " at ") + formatFixed(cuts[i], 2);
+      where += (i > 0 ? ", " : "") + formatFixed(cuts[i], 2);
     }
     where += cuts.size() > kNamed ? " …" : "";
+    const bool one = pieces.size() == 1;
     context_.add({Severity::Information,
                   "slicing.branches",
-                  "the part has " + std::to_string(pieces.size()) +
-                      (pieces.size() == 1 ? " piece" : " pieces") +
-                      (cuts.empty() ? std::string() : ", cut" + where + " mm of the field"),
+                  text(cuts.empty() ? (one ? "the part has %1 piece" : "the part has %1 pieces")
+                                    : (one ? "the part has %1 piece, cut at %2 mm of the field"
+                                           : "the part has %1 pieces, cut at %2 mm of the field"),
+                       {std::to_string(pieces.size()), where}),
                   "",
                   {},
                   {{"pieces", static_cast<double>(pieces.size())},
@@ -161,10 +163,10 @@ private:
       if (error.code() == ErrorCode::Cancelled) {
         throw;
       }
-      throw Error(error.code(), error.message(),
-                  "piece " + std::to_string(number) +
-                      (error.context().empty() ? "" : ": " + error.context()),
-                  error.hint());
+      const Text place = text("piece %1", {std::to_string(number)});
+      throw Error(error.code(), error.messageText(),
+                  error.context().empty() ? place : text("%1: %2", {place, error.contextText()}),
+                  error.hintText());
     }
     return options_.field == Field::Height     ? byPlanes(piece)
            : options_.field == Field::Geodesic ? byDistance(piece)
@@ -330,11 +332,10 @@ private:
     if (plan.excess) {
       context_.add({Severity::Warning,
                     "slicing.spiral_infeasible",
-                    "piece " + std::to_string(number) + " needs a deposit of " +
-                        formatFixed(plan.excess->height, 3) + " mm, outside of " +
-                        formatFixed(wish.heightMin, 3) + " to " + formatFixed(wish.heightMax, 3) +
-                        " mm",
-                    "a range of " + toolpath::rangeThatWouldDo(lengths, wish) + " would do",
+                    text("piece %1 needs a deposit of %2 mm, outside of %3 to %4 mm",
+                         {std::to_string(number), formatFixed(plan.excess->height, 3),
+                          formatFixed(wish.heightMin, 3), formatFixed(wish.heightMax, 3)}),
+                    text("a range of %1 would do", {toolpath::rangeThatWouldDo(lengths, wish)}),
                     {},
                     {{"piece", static_cast<double>(number)}, {"deposit_mm", plan.excess->height}}});
     }

@@ -31,9 +31,9 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-[[noreturn]] void refuse(std::string_view item, const std::string& why) {
+[[noreturn]] void refuse(std::string_view item, const Text& why) {
   throw Error(
-      ErrorCode::InvalidArgument, "'" + std::string(item) + "' " + why,
+      ErrorCode::InvalidArgument, text("'%1' %2", {std::string(item), why}),
       "slicing of branching parts, pieces",
       "write NUMBER=METHOD with commas between, as in '1=spiral, 3=isovalues', or *=METHOD; "
       "methods: common, geodesic, isovalues, spiral");

@@ -54,8 +54,9 @@ void reportCoverage(const FillCoverage& coverage,
     layer.findings.push_back(
         {Severity::Warning,
          "slicing.voids",
-         "beads cover " + formatFixed(100.0 * coverage.coveredPart(), 1) +
-             " % of the section; the largest void is at " + placeText(plane, coverage.largestVoid),
+         text("beads cover %1 % of the section; the largest void is at %2",
+              {formatFixed(100.0 * coverage.coveredPart(), 1),
+               placeText(plane, coverage.largestVoid)}),
          "choose another pattern or line angle, a narrower bead, or a wider range of bead widths",
          {},
          std::move(data)});
@@ -63,8 +64,8 @@ void reportCoverage(const FillCoverage& coverage,
   if (coverage.fillRatio() > params.mostFill) {
     layer.findings.push_back({Severity::Warning,
                               "slicing.overfill",
-                              "the beads need " + formatFixed(100.0 * coverage.fillRatio(), 1) +
-                                  " % of the room they have and pile up",
+                              text("the beads need %1 % of the room they have and pile up",
+                                   {formatFixed(100.0 * coverage.fillRatio(), 1)}),
                               "use fewer walls, the medial pattern or a narrower bead",
                               {},
                               {{"fill_percent", 100.0 * coverage.fillRatio()}}});
@@ -90,9 +91,12 @@ void reportNarrow(const FillResult& fill, const LayerPlane& plane, FilledLayer& 
   layer.findings.push_back(
       {unfilled > 0 ? Severity::Warning : Severity::Information,
        "slicing.narrow",
-       "the section is narrower than a bead: " + formatFixed(worst->thickness, 2) + " mm at " +
-           placeText(plane, worst->p) +
-           (unfilled > 0 ? "; nothing is laid there" : "; one bead of that width is laid there"),
+       text(
+           unfilled > 0
+               ? "the section is narrower than a bead: %1 mm at %2; nothing is laid there"
+               : "the section is narrower than a bead: %1 mm at %2; one bead of that width is laid "
+                 "there",
+           {formatFixed(worst->thickness, 2), placeText(plane, worst->p)}),
        unfilled > 0 ? "allow narrower beads (min_width, fill_narrow) or thicken the part" : "",
        {},
        std::move(data)});
@@ -195,8 +199,9 @@ void reportOpenSurfaces(const plugin::SliceInput& input, const JobContext& conte
     if (borders > 0) {
       context.add({Severity::Information,
                    "slicing.open_surface",
-                   "the surface of part " + std::to_string(k + 1) +
-                       " is not closed; its closed sections are filled as those of a solid",
+                   text("the surface of part %1 is not closed; its closed sections are filled as "
+                        "those of a solid",
+                        {std::to_string(k + 1)}),
                    "repair the part if it should be a solid; take a wall strategy if it is a shell",
                    {},
                    {{"border_edges", static_cast<double>(borders)}}});
@@ -208,13 +213,13 @@ void refuseOpenSection(const SlicedLayer& layer, std::size_t index) {
   for (const Contour& contour : layer.contours) {
     if (!contour.closed) {
       const Vec3& p = contour.points.front().p;
-      throw Error(ErrorCode::JobFailed,
-                  "the section is not closed, so it has no inside to fill: it ends at (" +
-                      formatFixed(p.x(), 3) + ", " + formatFixed(p.y(), 3) + ", " +
-                      formatFixed(p.z(), 3) + ")",
-                  "bulk slicing, layer " + std::to_string(index),
-                  "repair the part's surface, take a wall strategy, or set open_sections=bead to "
-                  "lay the section itself as a bead");
+      throw Error(
+          ErrorCode::JobFailed,
+          text("the section is not closed, so it has no inside to fill: it ends at (%1, %2, %3)",
+               {formatFixed(p.x(), 3), formatFixed(p.y(), 3), formatFixed(p.z(), 3)}),
+          text("bulk slicing, layer %1", {std::to_string(index)}),
+          "repair the part's surface, take a wall strategy, or set open_sections=bead to "
+          "lay the section itself as a bead");
     }
   }
 }
@@ -253,13 +258,13 @@ private:
       const int index = static_cast<int>(result.layers.size());
       if (filled[l].contours.empty()) {
         context.diagnostics().append(filled[l].findings);
-        context.add(
-            {Severity::Warning,
-             "slicing.empty_layer",
-             "no bead fits into the section at " + formatFixed(sliced.layers[l].level, 3) + " mm",
-             "allow narrower or shorter beads (min_width, min_length)",
-             {},
-             {{"level", sliced.layers[l].level}}});
+        context.add({Severity::Warning,
+                     "slicing.empty_layer",
+                     text("no bead fits into the section at %1 mm",
+                          {formatFixed(sliced.layers[l].level, 3)}),
+                     "allow narrower or shorter beads (min_width, min_length)",
+                     {},
+                     {{"level", sliced.layers[l].level}}});
         continue;
       }
       for (Diagnostic& finding : filled[l].findings) {
@@ -278,8 +283,8 @@ private:
     if (open > 0) {
       context.add({Severity::Warning,
                    "slicing.open_section",
-                   std::to_string(open) +
-                       " contours are not closed and are laid as single beads along the section",
+                   text("%1 contours are not closed and are laid as single beads along the section",
+                        {std::to_string(open)}),
                    "repair the part's surface if it should be a solid",
                    {},
                    {{"contours", static_cast<double>(open)}}});

@@ -223,9 +223,9 @@ toolpath::FillOptions Params::fill(const toolpath::BeadRange& process,
   options.tolerance = sampling.chordError;
   if (!(options.minWidth <= options.width && options.width <= options.maxWidth)) {
     throw Error(ErrorCode::InvalidArgument,
-                "the bead width of " + formatFixed(options.width, 2) +
-                    " mm is outside its range of " + formatFixed(options.minWidth, 2) + " to " +
-                    formatFixed(options.maxWidth, 2) + " mm",
+                text("the bead width of %1 mm is outside its range of %2 to %3 mm",
+                     {formatFixed(options.width, 2), formatFixed(options.minWidth, 2),
+                      formatFixed(options.maxWidth, 2)}),
                 "min_width, max_width", "choose a range that holds the bead width");
   }
   return options;

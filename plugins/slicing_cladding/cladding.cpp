@@ -197,7 +197,7 @@ private:
     if (whole.halfEdges.borderEdgeCount() == 0) {
       throw Error(ErrorCode::JobFailed,
                   "the surface is closed: it has no border that beads could follow",
-                  "cladding, part " + std::to_string(part + 1),
+                  text("cladding, part %1", {std::to_string(part + 1)}),
                   "pick the faces to clad, or take parallel lines");
     }
     const auto fine = std::make_shared<const PartSurface>(
@@ -255,24 +255,23 @@ private:
     if (planes.uncoveredArea > spacing_ * spacing_) {
       context_.add({Severity::Warning,
                     "slicing.uncovered",
-                    formatFixed(planes.uncoveredArea, 0) + " mm² of part " +
-                        std::to_string(part + 1) +
-                        " run along the planes of the lines and are not covered",
+                    text("%1 mm² of part %2 run along the planes of the lines and are not covered",
+                         {formatFixed(planes.uncoveredArea, 0), std::to_string(part + 1)}),
                     "clad these faces by an operation of their own, with another direction",
                     {},
                     {{"area_mm2", planes.uncoveredArea}}});
     }
     constexpr double kDenseShare = 0.1;
     if (planes.denseArea > kDenseShare * planes.area) {
-      context_.add({Severity::Warning,
-                    "slicing.overfill",
-                    "on " + formatFixed(100.0 * planes.denseArea / planes.area, 0) +
-                        " % of the surface of part " + std::to_string(part + 1) +
-                        " lines lie clearly nearer than the bead distance, since the surface "
-                        "slopes differently along them",
-                    "clad the faces one by one, or take the concentric pattern",
-                    {},
-                    {{"area_mm2", planes.denseArea}}});
+      context_.add(
+          {Severity::Warning,
+           "slicing.overfill",
+           text("on %1 % of the surface of part %2 lines lie clearly nearer than the bead "
+                "distance, since the surface slopes differently along them",
+                {formatFixed(100.0 * planes.denseArea / planes.area, 0), std::to_string(part + 1)}),
+           "clad the faces one by one, or take the concentric pattern",
+           {},
+           {{"area_mm2", planes.denseArea}}});
     }
   }
 
@@ -327,9 +326,9 @@ private:
       if (folded > 0) {
         context_.add({Severity::Warning,
                       "slicing.fold",
-                      "at " + formatFixed(layer.level, 2) + " mm above the surface " +
-                          std::to_string(folded) +
-                          " points run backwards: the surface is hollow with a smaller radius",
+                      text("at %1 mm above the surface %2 points run backwards: the surface is "
+                           "hollow with a smaller radius",
+                           {formatFixed(layer.level, 2), std::to_string(folded)}),
                       "use fewer or thinner layers there",
                       {{}, j, -1, -1},
                       {{"points", static_cast<double>(folded)}}});

@@ -111,9 +111,9 @@ std::vector<toolpath::LayerLevel> levelsUpTo(const Params& params,
   const double count = std::floor((end + kRounding * step) / step - params.firstLayer) + 1.0;
   if (!(count >= 1.0)) {
     throw Error(ErrorCode::JobFailed,
-                "the part is smaller than one layer: its farthest point is " +
-                    formatFixed(farthest, 3) + " mm from the base, the first layer at " +
-                    formatFixed(params.firstLayer * step, 3) + " mm",
+                text("the part is smaller than one layer: its farthest point is %1 mm from the "
+                     "base, the first layer at %2 mm",
+                     {formatFixed(farthest, 3), formatFixed(params.firstLayer * step, 3)}),
                 kPlace, "choose a smaller step or first layer, or a later end");
   }
   constexpr double kMostLevels = 1e6;

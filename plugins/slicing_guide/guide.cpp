@@ -61,8 +61,8 @@ public:
       const geometry::CurvePoint c = guide.evaluate(t);
       if (!(c.d1.norm() > 0.0)) {
         throw Error(ErrorCode::InvalidArgument,
-                    "the guide curve stands still at parameter " + formatFixed(t, 6), "guide",
-                    "choose a guide without cusps");
+                    text("the guide curve stands still at parameter %1", {formatFixed(t, 6)}),
+                    "guide", "choose a guide without cusps");
       }
       length += samples_.empty() ? 0.0 : (c.p - samples_.back().p).norm();
       samples_.push_back({t, c.p, c.d1.normalized(), c.d1.norm(), length});
@@ -171,8 +171,8 @@ void reportCrossings(const toolpath::SlicedLayers& sliced,
     if (crossed > 0) {
       context.add({Severity::Warning,
                    "slicing.planes_cross",
-                   std::to_string(crossed) +
-                       " points lie where planes normal to the guide cross each other",
+                   text("%1 points lie where planes normal to the guide cross each other",
+                        {std::to_string(crossed)}),
                    "the part is wider than the guide's radius of curvature there: use a straighter "
                    "guide or another strategy",
                    {{}, static_cast<int>(l), -1, -1},
@@ -196,8 +196,8 @@ public:
     }
     if (params.automatic && input.parts.size() != 1) {
       throw Error(ErrorCode::InvalidArgument,
-                  "an automatic guide is the axis of one part, and the operation names " +
-                      std::to_string(input.parts.size()),
+                  text("an automatic guide is the axis of one part, and the operation names %1",
+                       {std::to_string(input.parts.size())}),
                   "slicing normal to a guide", "make one operation per part");
     }
     const std::shared_ptr<const geometry::GuideCurve> chosen =

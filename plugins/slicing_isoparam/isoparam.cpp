@@ -132,8 +132,9 @@ public:
         if (faces.code() != ErrorCode::JobFailed) {
           throw;
         }
-        throw Error(ErrorCode::JobFailed, revolution.message() + "; " + faces.message(),
-                    "iso-parametric slicing", faces.hint());
+        throw Error(ErrorCode::JobFailed,
+                    text("%1; %2", {revolution.messageText(), faces.messageText()}),
+                    "iso-parametric slicing", faces.hintText());
       }
     }
   }

@@ -422,8 +422,8 @@ private:
                             const Extent& extent) {
     if (levels.empty()) {
       throw Error(ErrorCode::JobFailed,
-                  "no layer fits between the start at " + formatFixed(start, 2) +
-                      " and the part's end at " + formatFixed(extent.high, 2),
+                  text("no layer fits between the start at %1 and the part's end at %2",
+                       {formatFixed(start, 2), formatFixed(extent.high, 2)}),
                   "slicing around an axis", "choose a smaller step or start radius");
     }
   }

@@ -199,7 +199,7 @@ const Schema<Params>& Params::schema() {
   return schema;
 }
 
-[[noreturn]] void refuse(const std::string& message, const std::string& hint) {
+[[noreturn]] void refuse(const Text& message, const Text& hint) {
   throw Error(ErrorCode::JobFailed, message, "continuous spiral", hint);
 }
 
@@ -240,13 +240,13 @@ void reportExcess(const toolpath::Generatrices& generatrices,
   const Vec3& foot = curve.points().front();
   const double excess =
       std::max(wish.heightMin - plan.excess->height, plan.excess->height - wish.heightMax);
-  const std::string message =
-      "the generatrix from (" + formatFixed(foot.x(), 1) + ", " + formatFixed(foot.y(), 1) + ", " +
-      formatFixed(foot.z(), 1) + "), " + formatFixed(curve.length(), 2) +
-      " mm long, needs a deposit of " + formatFixed(plan.excess->height, 3) + " mm, " +
-      formatFixed(excess, 3) + " mm outside of " + formatFixed(wish.heightMin, 3) + " to " +
-      formatFixed(wish.heightMax, 3) + " mm";
-  const std::string hint = "a range of " + toolpath::rangeThatWouldDo(lengths, wish) + " would do";
+  const Text message = text(
+      "the generatrix from (%1, %2, %3), %4 mm long, needs a deposit of %5 mm, %6 mm outside of "
+      "%7 to %8 mm",
+      {formatFixed(foot.x(), 1), formatFixed(foot.y(), 1), formatFixed(foot.z(), 1),
+       formatFixed(curve.length(), 2), formatFixed(plan.excess->height, 3), formatFixed(excess, 3),
+       formatFixed(wish.heightMin, 3), formatFixed(wish.heightMax, 3)});
+  const Text hint = text("a range of %1 would do", {toolpath::rangeThatWouldDo(lengths, wish)});
   if (params.infeasible == Infeasible::Refuse) {
     refuse(message, hint);
   }
@@ -267,8 +267,8 @@ public:
                                              const JobContext& context) const override {
     const Params params = Params::schema().read(values, "continuous spiral");
     if (input.parts.size() != 1) {
-      refuse("a spiral is one bead on one part, and the operation names " +
-                 std::to_string(input.parts.size()),
+      refuse(text("a spiral is one bead on one part, and the operation names %1",
+                  {std::to_string(input.parts.size())}),
              "make one operation per part");
     }
     const geometry::PartSurface& part = *input.parts.front();

@@ -36,7 +36,7 @@ void check(const fs::path& plugin, const fs::path& libraryFolder, const fs::path
     std::cout << toString(report.verdict) << ' ' << report.id << ' ' << report.path << ' '
               << report.reason << '\n';
     require(report.verdict == wcam::plugin::PluginVerdict::Loaded,
-            report.id + ": " + report.reason);
+            report.id + ": " + report.reason.str());
     const bool installed = report.origin == wcam::plugin::PluginOrigin::Installed;
     require(installed != (report.id == "org.example.post.csv"),
             report.id + " comes from an unexpected place");

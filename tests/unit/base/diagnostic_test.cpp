@@ -66,5 +66,30 @@ TEST(Error, MessageWithContext) {
   EXPECT_STREQ(Error(ErrorCode::Internal, "x").what(), "x");
 }
 
+TEST(Error, KeepsItsTextsForOtherLanguages) {
+  const Error error(ErrorCode::InputInvalid, text("line %1: %2", {"7", "not a number"}),
+                    text("part '%1'", {"elbow"}), text("did you mean '%1'?", {"x"}));
+  EXPECT_STREQ(error.what(), "part 'elbow': line 7: not a number");
+  EXPECT_EQ(error.message(), "line 7: not a number");
+  EXPECT_EQ(error.context(), "part 'elbow'");
+  EXPECT_EQ(error.hint(), "did you mean 'x'?");
+  EXPECT_EQ(error.messageText().pattern(), "line %1: %2");
+  EXPECT_EQ(error.contextText().pattern(), "part '%1'");
+  EXPECT_EQ(error.hintText().pattern(), "did you mean '%1'?");
+  EXPECT_EQ(error.whatText(), error.what());
+  // Plugins give strings.
+  const std::string words = "100 %1";
+  EXPECT_STREQ(Error(ErrorCode::JobFailed, words, words, words).what(), "100 %1: 100 %1");
+  EXPECT_STREQ(Error(ErrorCode::JobFailed, words).what(), "100 %1");
+}
+
+TEST(Diagnostic, TakesTextsAndStrings) {
+  const std::string words = "made by a plugin, 50 %1";
+  const Diagnostic d{Severity::Warning, "x.y", words, text("use %1", {"less"}), {}, {}};
+  EXPECT_EQ(toLine(d), "warning x.y: made by a plugin, 50 %1 (use less)");
+  EXPECT_EQ(toValue(d).at("message").asString(), words);
+  EXPECT_EQ(toValue(d).at("remedy").asString(), "use less");
+}
+
 }  // namespace
 }  // namespace wcam

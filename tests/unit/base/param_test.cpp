@@ -65,7 +65,8 @@ Value params(const char* json) {
 std::vector<std::string> problemsOf(const char* json) {
   std::vector<std::string> lines;
   for (const ParamProblem& problem : schema().params().validate(params(json), "op")) {
-    lines.push_back(problem.path + ": " + problem.message + (problem.unknown ? " (unknown)" : ""));
+    lines.push_back(problem.path + ": " + problem.message.str() +
+                    (problem.unknown ? " (unknown)" : ""));
   }
   return lines;
 }

@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace wcam {
 namespace {
@@ -58,6 +61,75 @@ TEST(Text, ValidIds) {
   }
   EXPECT_TRUE(isValidId(std::string(64, 'a')));
   EXPECT_FALSE(isValidId(std::string(65, 'a')));
+}
+
+std::string inFrench(const Text& text) {
+  return render(text, [](const std::string& pattern) -> std::string {
+    static const std::map<std::string, std::string> kFrench = {
+        {"joint %1 is %2 beyond its limit", "de %2, l'axe %1 dépasse sa butée"},
+        {"%1 points", "%1 points de passage"},
+        {"%1 at %2", "en %2 : %1"},
+        {"torch", "torche"},
+        {"a, b", "un, deux"},
+        {"50 %1", "cinquante %1"}};
+    const auto found = kFrench.find(pattern);
+    return found != kFrench.end() ? found->second : pattern;
+  });
+}
+
+TEST(Text, PlacesAreFilledAndTranslatedInTheOrderOfTheLanguage) {
+  const Text limit = text("joint %1 is %2 beyond its limit", {"J4", "2.500 deg"});
+  EXPECT_EQ(limit.str(), "joint J4 is 2.500 deg beyond its limit");
+  EXPECT_EQ(inFrench(limit), "de 2.500 deg, l'axe J4 dépasse sa butée");
+  const Text nested = text("%1 at %2", {limit, text("%1 points", {std::to_string(3)})});
+  EXPECT_EQ(nested.str(), "joint J4 is 2.500 deg beyond its limit at 3 points");
+  EXPECT_EQ(inFrench(nested), "en 3 points de passage : de 2.500 deg, l'axe J4 dépasse sa butée");
+  EXPECT_EQ(inFrench(text("no translation of %1", {"torch"})), "no translation of torche");
+}
+
+TEST(Text, APercentSignInAnArgumentIsNoPlace) {
+  EXPECT_EQ(text("%1 and %2", {"%2", "%1"}).str(), "%2 and %1");
+  EXPECT_EQ(text("%1", {std::string("100 %1 %% %")}).str(), "100 %1 %% %");
+  EXPECT_EQ(text("%1 % of %2 %", {"5", "20"}).str(), "5 % of 20 %");
+}
+
+TEST(Text, WithoutArgumentsEverythingIsLiteral) {
+  EXPECT_EQ(Text("use %1 or 50 %").str(), "use %1 or 50 %");
+  EXPECT_EQ(text("$OUT[%1]").str(), "$OUT[%1]");
+  EXPECT_EQ(inFrench(Text("50 %1")), "cinquante %1");
+  EXPECT_EQ(Text().str(), "");
+  EXPECT_TRUE(Text().empty());
+  EXPECT_FALSE(Text("a").empty());
+}
+
+TEST(Text, PlacesWithoutAnArgumentStay) {
+  EXPECT_EQ(text("%1 %2 %3", {"a"}).str(), "a %2 %3");
+  EXPECT_EQ(text("%10 %0 %x %", {"a"}).str(), "a0 %0 %x %") << "a place has one digit";
+  EXPECT_EQ(text("%1 %1", {"a", "b"}).str(), "a a");
+}
+
+TEST(Text, WordsFromElsewhereAreTranslatedOnTheirOwnOnly) {
+  const std::string name = "torch";  // of a part that the user calls so
+  EXPECT_EQ(inFrench(text("%1 at %2", {name, "torch"})), "en torche : torch");
+  EXPECT_EQ(inFrench(Text(name)), "torche") << "the message of a plugin";
+  EXPECT_TRUE(Text(name).foreign());
+  EXPECT_FALSE(Text("torch").foreign());
+}
+
+TEST(Text, ListsAreNestedAndShallow) {
+  EXPECT_EQ(joinTexts({}, ", ").str(), "");
+  EXPECT_EQ(joinTexts({"a"}, ", ").str(), "a");
+  EXPECT_EQ(joinTexts({"a", "torch", "c"}, ", ").str(), "a, torch, c");
+  EXPECT_EQ(inFrench(joinTexts({"a", "torch", "c"}, ", ")), "a, torche, c");
+  const std::vector<Text> many(100000, "x");
+  EXPECT_EQ(joinTexts(many, "").str(), std::string(100000, 'x'));
+}
+
+TEST(Text, EqualTextsReadAlike) {
+  EXPECT_EQ(text("%1 points", {"3"}), "3 points");
+  EXPECT_EQ(text("%1 points", {"3"}), std::string("3 points"));
+  EXPECT_NE(text("%1 points", {"3"}), text("%1 points", {"4"}));
+  EXPECT_EQ(std::string(text("%1 points", {"3"})), "3 points");
 }
 
 }  // namespace

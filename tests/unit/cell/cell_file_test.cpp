@@ -284,7 +284,7 @@ TEST(CellFile, aRobotWithoutClosedFormStillLoads) {
   jointOf(file, 4)->set("d", 3);
   const Cell cell = cellFromValue(file, "offset wrist");
   EXPECT_FALSE(cell.arm.has_value());
-  EXPECT_THAT(cell.armProblem, HasSubstr("wrist is not spherical"));
+  EXPECT_THAT(cell.armProblem.str(), HasSubstr("wrist is not spherical"));
   EXPECT_TRUE(T_part_tcp(cell, JointVector::Zero(8)).matrix().allFinite());
 }
 

@@ -125,14 +125,14 @@ bool FclOracle::collides(const CellState& state, std::string* what) const {
       if (impl_->collision.compares(a, static_cast<std::ptrdiff_t>(k)) &&
           overlap(impl_->shapes[i], placed[i].T_base_shape, impl_->shapes[k],
                   placed[k].T_base_shape)) {
-        *what = placed[i].label + " and " + placed[k].label;
+        *what = placed[i].label.str() + " and " + placed[k].label.str();
         return true;
       }
     }
     if (impl_->collision.compares(a, -1) &&
         impl_->withDeposit(impl_->shapes[i], T_part_base * placed[i].T_base_shape,
                            state.deposited)) {
-      *what = placed[i].label + " and part";
+      *what = placed[i].label.str() + " and part";
       return true;
     }
   }

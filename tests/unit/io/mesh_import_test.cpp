@@ -159,7 +159,7 @@ TEST(MeshImport, UnitsAreGuessedAndTold) {
   const ImportedPart small = importFile(folder / "small.stl", {}, context);
   EXPECT_EQ(small.report.unit, "m");
   EXPECT_NEAR(small.report.bounds.max.z(), 1900.0, 1e-3);
-  EXPECT_THAT(small.report.unitReason, HasSubstr("less than 2"));
+  EXPECT_THAT(small.report.unitReason.str(), HasSubstr("less than 2"));
   EXPECT_EQ(context.diagnostics().count("import.units_guessed"), 1U);
   EXPECT_EQ(context.diagnostics().count(Severity::Warning), 1U);
   EXPECT_EQ(importFile(folder / "large.stl").report.unit, "mm");

@@ -155,7 +155,7 @@ TEST_P(AnyCell, ExplainsAndPlaces) {
     return d.severity == Severity::Violation;
   });
   ASSERT_NE(violation, findings.end());
-  EXPECT_NE(violation->remedy.find("none of these alone puts it right"), std::string::npos)
+  EXPECT_NE(violation->remedy.str().find("none of these alone puts it right"), std::string::npos)
       << violation->remedy;
 
   cell.T_table_part = home;

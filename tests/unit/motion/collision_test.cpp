@@ -293,7 +293,7 @@ TEST(CheckedMotion, partInsideAnObstacle) {
   bool substrate = false;
   for (const Diagnostic& finding : context.diagnostics().items()) {
     substrate = substrate || (finding.code == "motion.collision" &&
-                              finding.message.find("obstacle block") != std::string::npos);
+                              finding.message.str().find("obstacle block") != std::string::npos);
   }
   EXPECT_TRUE(substrate);
 }

@@ -179,7 +179,7 @@ protected:
 TEST_F(UsedFiles, AreListedWithTheirOwners) {
   std::vector<std::string> lines;
   for (const UsedFile& file : usedFiles(sampleDocument())) {
-    lines.push_back(file.owner + " " + file.jsonPath + " " + file.ref.path);
+    lines.push_back(file.owner.str() + " " + file.jsonPath + " " + file.ref.path);
   }
   EXPECT_THAT(lines,
               ElementsAre("cell cell cells/arcmate.json", "part 'elbow' parts[0].file elbow.step",

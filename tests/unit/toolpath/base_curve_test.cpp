@@ -138,7 +138,7 @@ TEST(BaseCurve, BorderInTheAirIsReported) {
   EXPECT_EQ(base.lower.size(), 1U);
   ASSERT_EQ(context.diagnostics().count("slicing.base_off_substrate"), 1U);
   const Diagnostic finding = context.diagnostics().items()[0];
-  EXPECT_NE(finding.message.find("3.500 to 3.500 mm"), std::string::npos) << finding.message;
+  EXPECT_NE(finding.message.str().find("3.500 to 3.500 mm"), std::string::npos) << finding.message;
   EXPECT_FALSE(finding.remedy.empty());
 }
 

@@ -553,7 +553,7 @@ std::string problemsOf(const std::string& type, const std::string& params) {
   std::string text;
   for (const ParamProblem& problem :
        validateEdit(editTypeOf(type).value(), parseJson(params), "params")) {
-    text += problem.path + ": " + problem.message + "\n";
+    text += problem.path + ": " + problem.message.str() + "\n";
   }
   return text;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/text.hpp"
 #include "wcam/base/value.hpp"
 
 #include <mutex>
@@ -31,8 +32,8 @@ struct Place {
 struct Diagnostic {
   Severity severity = Severity::Information;
   std::string code;
-  std::string message;
-  std::string remedy;
+  Text message;
+  Text remedy;
   Place place;
   std::vector<std::pair<std::string, double>> data;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/text.hpp"
+
 #include <stdexcept>
 #include <string>
 
@@ -30,11 +32,12 @@ const char* toString(ErrorCode code) noexcept;
 /// 5 check violations, 6 job failed, 7 plugin, 130 cancelled.
 int exitCodeOf(ErrorCode code) noexcept;
 
-/// What cannot go on. what() is the message with its context; `hint` tells the remedy.
+/// What cannot go on. what() is the message with its context; `hint` tells the remedy. Strings are
+/// English; the texts can be rendered in another language (wcam::render).
 class Error : public std::runtime_error {
 public:
   /// @param context the place: a file, a path in a project, a stage
-  Error(ErrorCode code, std::string message, std::string context = {}, std::string hint = {});
+  Error(ErrorCode code, Text message, Text context = {}, Text hint = {});
   ~Error() override;
 
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
@@ -45,8 +48,20 @@ public:
 
   [[nodiscard]] const std::string& hint() const noexcept { return hint_; }
 
+  [[nodiscard]] const Text& messageText() const noexcept { return messageText_; }
+
+  [[nodiscard]] const Text& contextText() const noexcept { return contextText_; }
+
+  [[nodiscard]] const Text& hintText() const noexcept { return hintText_; }
+
+  /// what() as a text.
+  [[nodiscard]] Text whatText() const;
+
 private:
   ErrorCode code_;
+  Text messageText_;
+  Text contextText_;
+  Text hintText_;
   std::string message_;
   std::string context_;
   std::string hint_;

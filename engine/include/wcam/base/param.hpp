@@ -56,7 +56,7 @@ struct ParamDef {
 /// One wrong parameter. `unknown` marks a key that the schema does not have.
 struct ParamProblem {
   std::string path;
-  std::string message;
+  Text message;
   bool unknown = false;
 };
 
@@ -94,9 +94,7 @@ private:
 };
 
 /// Throws Error(code) with every problem on its own line; does nothing when there is none.
-void throwProblems(const std::vector<ParamProblem>& problems,
-                   ErrorCode code,
-                   const std::string& context);
+void throwProblems(const std::vector<ParamProblem>& problems, ErrorCode code, const Text& context);
 
 namespace detail {
 template <class T>

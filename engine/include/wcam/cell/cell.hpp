@@ -66,7 +66,7 @@ struct Cell {
   /// Closed-form inverse kinematics; empty when the robot has no spherical wrist or no parallel
   /// second and third axes; armProblem then tells why.
   std::optional<Arm> arm;
-  std::string armProblem;
+  Text armProblem;
   /// Inverse kinematics of whatever robot (wcam/cell/inverse.hpp); never null after loading.
   std::shared_ptr<const InverseKinematics> inverse;
 
@@ -104,7 +104,7 @@ Cell loadCell(const std::filesystem::path& file, const JobContext& context = Job
 /// The same from a parsed file; `contextName` names it in messages, meshes are looked for in
 /// `folder`.
 Cell cellFromValue(const Value& value,
-                   const std::string& contextName,
+                   const Text& contextName,
                    const JobContext& context = JobContext(),
                    const std::filesystem::path& folder = {});
 

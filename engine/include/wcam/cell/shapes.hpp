@@ -52,7 +52,7 @@ struct CellShapes {
 
 /// How the reader of shapes asks the reader of the cell file: problems are collected there.
 struct ShapeReading {
-  std::function<void(const std::string& path, const std::string& message)> problem;
+  std::function<void(const std::string& path, const Text& message)> problem;
   /// The pose under a key of an object; the identity when it is missing.
   std::function<geometry::Pose(
       const Value& parent, const std::string& parentPath, const std::string& key)>

@@ -35,8 +35,8 @@ enum class BodyKind { Torch, Robot, Positioner, Obstacle, Substrate, Part };
 
 /// Overlap of two bodies, or how near they are.
 struct Contact {
-  std::string first;   ///< "torch nozzle", "robot forearm", …
-  std::string second;  ///< … "part", "substrate", "positioner table", "obstacle floor"
+  Text first;   ///< "torch nozzle", "robot forearm", …
+  Text second;  ///< … "part", "substrate", "positioner table", "obstacle floor"
   BodyKind firstKind = BodyKind::Torch;
   BodyKind secondKind = BodyKind::Part;
   double distance = 0.0;                          ///< mm; negative: how deep
@@ -49,7 +49,7 @@ struct Contact {
 struct PlacedShape {
   const cell::Shape* shape = nullptr;
   BodyKind kind = BodyKind::Obstacle;
-  std::string label;
+  Text label;
   geometry::Pose T_base_shape = geometry::Pose::Identity();
 };
 

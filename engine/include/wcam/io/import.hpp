@@ -55,9 +55,9 @@ struct BorderLoop {
 /// What came in and what was done to it; lengths in mm, part frame.
 struct ImportReport {
   std::string file;
-  std::string format;      ///< "STEP", "IGES", "BREP", "STL", "OBJ", "PLY", "3MF" or "formula"
-  std::string unit;        ///< "mm", "cm", "m", "in", ... as read
-  std::string unitReason;  ///< why this unit
+  std::string format;  ///< "STEP", "IGES", "BREP", "STL", "OBJ", "PLY", "3MF" or "formula"
+  std::string unit;    ///< "mm", "cm", "m", "in", ... as read
+  Text unitReason;     ///< why this unit
   double millimetresPerUnit = 1.0;
   std::vector<ImportedBody> bodies;
   std::size_t vertices = 0;

@@ -54,7 +54,7 @@ struct PluginReport {
   std::string version;
   std::string abi;  ///< "1.0"
   PluginVerdict verdict = PluginVerdict::Refused;
-  std::string reason;  ///< why it is shadowed or refused
+  Text reason;  ///< why it is shadowed or refused
   std::vector<ComponentEntry> components;
 };
 

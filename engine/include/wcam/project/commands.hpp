@@ -49,7 +49,7 @@ const std::vector<CommandInfo>& commandCatalog();
 [[nodiscard]] Document apply(const Document& document, const Command& command);
 
 /// Short text for the undo menu: "Set step of elbow".
-[[nodiscard]] std::string labelOf(const Command& command);
+[[nodiscard]] Text labelOf(const Command& command);
 
 /// {"command": id, "args": {...}} and back. @throws Error(InvalidArgument)
 Value toValue(const Command& command);

@@ -41,8 +41,8 @@ public:
 
   [[nodiscard]] bool canUndo() const noexcept;
   [[nodiscard]] bool canRedo() const noexcept;
-  [[nodiscard]] std::string undoLabel() const;  ///< empty when there is nothing to undo
-  [[nodiscard]] std::string redoLabel() const;
+  [[nodiscard]] Text undoLabel() const;  ///< empty when there is nothing to undo
+  [[nodiscard]] Text redoLabel() const;
   bool undo();  ///< false when there is nothing to undo or a transaction is open
   bool redo();
 
@@ -53,7 +53,7 @@ public:
   [[nodiscard]] std::uint64_t stateId() const noexcept;
 
   /// Labels of the steps that are kept, oldest first; the first position() of them are done.
-  [[nodiscard]] std::vector<std::string> labels() const;
+  [[nodiscard]] std::vector<Text> labels() const;
   [[nodiscard]] std::size_t position() const noexcept;
   /// Estimated memory of the snapshots.
   [[nodiscard]] std::size_t bytes() const noexcept;
@@ -62,7 +62,7 @@ public:
   /// document is as before. Only one at a time: @throws Error(Internal)
   class Transaction {
   public:
-    Transaction(History& history, std::string label);
+    Transaction(History& history, Text label);
     ~Transaction();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
@@ -86,19 +86,19 @@ public:
 private:
   struct Snapshot {
     Document document;
-    std::string label;     ///< of the step that led here
+    Text label;            ///< of the step that led here
     std::string mergeKey;  ///< empty: nothing may be merged into this step
     std::uint64_t id = 0;
     std::size_t bytes = 0;
   };
 
   struct Group {
-    std::string label;
+    Text label;
     Document document;
     std::vector<Command> commands;
   };
 
-  void push(Document document, std::string label, std::string mergeKey);
+  void push(Document document, Text label, std::string mergeKey);
   void replaceTop(Document document);
   void forgetBeyondBudget();
   void replayLine(const Value& line);

@@ -63,7 +63,7 @@ std::optional<LoadedProject> recoverable(const std::filesystem::path& file);
 
 /// A file that the document names.
 struct UsedFile {
-  std::string owner;     ///< "part 'elbow'", "cell"
+  Text owner;            ///< "part 'elbow'", "cell"
   std::string jsonPath;  ///< "parts[0].file"
   FileRef ref;
 };

@@ -30,7 +30,7 @@ struct WrittenFile {
 
 /// An operation or output that gave no result.
 struct RunFailure {
-  std::string place;  ///< "operation 'elbow'", empty for the whole run
+  Text place;  ///< "operation 'elbow'", empty for the whole run
   Error error;
 };
 

@@ -26,7 +26,7 @@ void setFieldHeights(SlicedLayers& sliced,
 void reportHeights(const SlicedLayers& sliced,
                    const BeadRange& bead,
                    double step,
-                   const std::string& otherwise,
+                   const Text& otherwise,
                    const JobContext& context);
 
 /// Finding slicing.grows_down: layers whose mean direction of growth points below the horizon, as

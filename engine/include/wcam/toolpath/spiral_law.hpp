@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/text.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -97,6 +99,6 @@ TurnRange turnRange(double shortest, double longest, double heightMin, double he
 SpiralPlan planSpiral(const std::vector<double>& lengths, const SpiralWish& wish);
 
 /// Remedy for a plan with an excess: the range that would do for these lengths, in words.
-std::string rangeThatWouldDo(const std::vector<double>& lengths, const SpiralWish& wish);
+Text rangeThatWouldDo(const std::vector<double>& lengths, const SpiralWish& wish);
 
 }  // namespace wcam::toolpath
