@@ -7662,6 +7662,66 @@
         <source>min</source>
         <translation>min</translation>
     </message>
+    <message>
+        <source>Around an axis</source>
+        <translation>Autour d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>Branching parts</source>
+        <translation>Pièces ramifiées</translation>
+    </message>
+    <message>
+        <source>Cladding of a surface</source>
+        <translation>Rechargement d&apos;une surface</translation>
+    </message>
+    <message>
+        <source>Comma separated values</source>
+        <translation>Valeurs séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Constant inter-layer distance</source>
+        <translation>Distance inter-couches constante</translation>
+    </message>
+    <message>
+        <source>Continuous spiral</source>
+        <translation>Spirale continue</translation>
+    </message>
+    <message>
+        <source>FANUC TP (.LS)</source>
+        <translation>FANUC TP (.LS)</translation>
+    </message>
+    <message>
+        <source>Filled planar layers</source>
+        <translation>Couches planes remplies</translation>
+    </message>
+    <message>
+        <source>Geodesic distance from the base</source>
+        <translation>Distance géodésique depuis la base</translation>
+    </message>
+    <message>
+        <source>Imported path</source>
+        <translation>Trajectoire importée</translation>
+    </message>
+    <message>
+        <source>Iso-parametric</source>
+        <translation>Isoparamétrique</translation>
+    </message>
+    <message>
+        <source>Iso-values between the borders</source>
+        <translation>Isovaleurs entre les bords</translation>
+    </message>
+    <message>
+        <source>KUKA KRL (.src)</source>
+        <translation>KUKA KRL (.src)</translation>
+    </message>
+    <message>
+        <source>Normal to a guide</source>
+        <translation>Normale à une courbe guide</translation>
+    </message>
+    <message>
+        <source>Planar slicing</source>
+        <translation>Tranchage plan</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

@@ -132,5 +132,16 @@ TEST_F(French, HelpsOfParameters) {
   }
 }
 
+TEST_F(French, NamesOfStrategies) {
+  std::size_t strategies = 0;
+  for (const plugin::ComponentEntry& entry : test::plugins()->components()) {
+    if (entry.kind == plugin::ComponentKind::Slicing) {
+      ++strategies;
+      EXPECT_NE(engineText(entry.name), qt(entry.name));
+    }
+  }
+  EXPECT_GT(strategies, 10U);
+}
+
 }  // namespace
 }  // namespace wcam::gui
