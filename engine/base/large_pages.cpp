@@ -6,21 +6,19 @@
 #include <sys/mman.h>
 
 #include <algorithm>
-#include <new>
 
 namespace wcam {
 
 namespace {
 
-std::align_val_t alignmentOf(std::size_t bytes, std::size_t alignment) {
-  return std::align_val_t(bytes >= LargePages::kPage ? std::max(LargePages::kPage, alignment)
-                                                     : alignment);
+std::size_t alignmentOf(std::size_t bytes, std::size_t alignment) {
+  return bytes >= LargePages::kPage ? std::max(LargePages::kPage, alignment) : alignment;
 }
 
 }  // namespace
 
 void* LargePages::do_allocate(std::size_t bytes, std::size_t alignment) {
-  void* memory = ::operator new(bytes, alignmentOf(bytes, alignment));
+  void* memory = std::pmr::new_delete_resource()->allocate(bytes, alignmentOf(bytes, alignment));
   if (bytes >= kPage) {
     // A wish: where it is not granted, the memory works all the same.
     (void)::madvise(memory, bytes / kPage * kPage, MADV_HUGEPAGE);
@@ -29,7 +27,7 @@ void* LargePages::do_allocate(std::size_t bytes, std::size_t alignment) {
 }
 
 void LargePages::do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) {
-  ::operator delete(memory, bytes, alignmentOf(bytes, alignment));
+  std::pmr::new_delete_resource()->deallocate(memory, bytes, alignmentOf(bytes, alignment));
 }
 
 bool LargePages::do_is_equal(const std::pmr::memory_resource& other) const noexcept {
