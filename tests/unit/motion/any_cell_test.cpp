@@ -40,7 +40,27 @@ Cell fiveJoints() {
   return cell;
 }
 
+/// The Cartesian machine with 7 axes, its head holding the part over a torch that stands where the
+/// middle of the strokes puts the part's origin.
+Cell carryingCartesian() {
+  Cell cell = shippedCell("debout_7axis");
+  cell.configuration = cell::Configuration::PartCarried;
+  cell.positioner = {};
+  cell.T_flange_table = cell.T_flange_tcp;
+  cell.T_table_part = geometry::Pose::Identity();
+  cell::JointVector middle(cell.robotJoints());
+  for (int j = 0; j < cell.robotJoints(); ++j) {
+    middle(j) = 0.5 * (cell.joint(j).min + cell.joint(j).max);
+  }
+  cell.T_base_tcp = cell::T_base_part(cell, middle);
+  cell::prepareArm(cell);
+  return cell;
+}
+
 Cell cellOf(const std::string& name) {
+  if (name == "carrying_cartesian") {
+    return carryingCartesian();
+  }
   if (name == "offset_wrist") {
     return offsetWrist();
   }
@@ -184,6 +204,7 @@ INSTANTIATE_TEST_SUITE_P(All,
                                            "kuka_kr360_part_carried",
                                            "debout_5axis",
                                            "debout_7axis",
+                                           "carrying_cartesian",
                                            "offset_wrist",
                                            "five_joints"));
 
