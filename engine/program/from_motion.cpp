@@ -131,10 +131,12 @@ private:
     Target target;
     target.joints = point.joints;
     const std::string configuration = configurations_.of(point.joints);
-    if (configuration != configuration_) {
+    if (configuration_.empty() && !configuration.empty()) {
+      program_.cell.configuration = configuration;  // the first move
+    } else if (configuration != configuration_) {
       target.configuration = configuration;
-      configuration_ = configuration;
     }
+    configuration_ = configuration;
     const Pose T_base_table = cell::T_base_table(cell_, point.joints);
     target.T_base_tcp = cell::T_base_tcp(cell_, point.joints);
     target.T_table_tcp = T_base_table.inverse() * target.T_base_tcp;
@@ -179,9 +181,6 @@ Program programFromMotion(const motion::PlannedMotion& planned,
                 i + 1 < motion.waypoints.size() ? &motion.waypoints[i + 1] : nullptr);
   }
   builder.finish();
-  if (cell.arm && !motion.waypoints.empty()) {
-    program.cell.configuration = Configurations(cell).of(motion.waypoints.front().joints);
-  }
   return program;
 }
 

@@ -6,6 +6,8 @@
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/surface_projector.hpp"
 
+#include "spiral_findings.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -81,19 +83,7 @@ void reportHeights(const SpiralPlan& plan,
     least = std::min(least, h);
     greatest = std::max(greatest, h);
   }
-  if (outside > 0) {
-    context.add(
-        {Severity::Warning,
-         "slicing.spiral_height",
-         text("%1 points have a deposit height outside of %2 to %3 mm: %4 to %5 mm",
-              {std::to_string(outside), formatFixed(wish.heightMin, 3),
-               formatFixed(wish.heightMax, 3), formatFixed(least, 3), formatFixed(greatest, 3)}),
-         "widen the modulation range, or choose another decomposition",
-         {{}, 0, -1, -1},
-         {{"points", static_cast<double>(outside)},
-          {"height_min_mm", least},
-          {"height_max_mm", greatest}}});
-  }
+  reportSpiralHeights(wish, outside, least, greatest, context);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "wcam/geometry/surface_projector.hpp"
 #include "wcam/toolpath/spiral.hpp"
 
+#include "spiral_findings.hpp"
 #include "wall_field.hpp"
 
 #include <algorithm>
@@ -179,18 +180,8 @@ void reportFieldSpiral(const SpiralPlan& plan,
                 {"deposit_max_mm", greatest},
                 {"mean_length_mm", meanLength},
                 {"seam_step_mm", plan.largestSeamStep}}});
-  if (outside > 0 && !(wish.secondHeight > 0.0)) {
-    context.add(
-        {Severity::Warning,
-         "slicing.spiral_height",
-         text("%1 points have a deposit height outside of %2 to %3 mm: %4 to %5 mm",
-              {std::to_string(outside), formatFixed(wish.heightMin, 3),
-               formatFixed(wish.heightMax, 3), formatFixed(least, 3), formatFixed(greatest, 3)}),
-         "widen the modulation range, or choose another decomposition",
-         {{}, 0, -1, -1},
-         {{"points", static_cast<double>(outside)},
-          {"height_min_mm", least},
-          {"height_max_mm", greatest}}});
+  if (!(wish.secondHeight > 0.0)) {
+    reportSpiralHeights(wish, outside, least, greatest, context);
   }
 }
 
