@@ -366,14 +366,21 @@ struct CellCollision::Impl {
     const auto wanted = static_cast<float>(safety);
     for (const int i : of.againstPart) {
       const Item& item = scene.items()[static_cast<std::size_t>(i)];
-      const double bound = partBound(placed, item, static_cast<float>(least));
-      // No farther than it is worth knowing.
-      const double limit = std::min(least, safety + kRefinedReach);
-      least = std::min(least, bound >= wanted ? bound : partDistance(placed, item, limit).distance);
+      const float known = static_cast<float>(least);
+      const float bound = partBound(placed, item, known);
+      if (bound < std::min(known, wanted)) {
+        // No farther than it is worth knowing.
+        const double limit = std::min(least, safety + kRefinedReach);
+        least = std::min(least, partDistance(placed, item, limit).distance);
+      } else {
+        least = std::min(least, static_cast<double>(bound));
+      }
     }
     for (const Pair& pair : of.pairs) {
-      const double bound = boundOf(placed, pair, static_cast<float>(least));
-      least = std::min(least, bound >= wanted ? bound : pairDistance(placed, pair).value);
+      const float known = static_cast<float>(least);
+      const float bound = boundOf(placed, pair, known);
+      least = std::min(least, bound < std::min(known, wanted) ? pairDistance(placed, pair).value
+                                                              : static_cast<double>(bound));
     }
     // Rounded down: what is just free by rounding is not called free.
     return static_cast<float>(least - safety - kTouch);
@@ -390,7 +397,9 @@ struct CellCollision::Impl {
         place(states[i], placed);
         clearance[i] = coarseClearance(placed, of);
         if (clearance[i] < 0.0F && settings.refine) {
-          clearance[i] = std::max(clearance[i], refinedClearance(placed, of));
+          // The bound of the grids ends at the first thing that is not free: it bounds nothing
+          // else.
+          clearance[i] = refinedClearance(placed, of);
         }
       }
     });

@@ -7,6 +7,7 @@
 #include "wcam/motion/explain.hpp"
 
 #include "path_index.hpp"
+#include "table_support.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,6 @@ public:
   void tell(const Worst& worst,
             const CellState& state,
             const Waypoint& waypoint,
-            bool colliding,
             const JobContext& context) const {
     const double safety = collision_.settings().safetyDistance;
     const std::vector<Contact> contacts = collision_.contacts(state, safety + kTouch);
@@ -83,11 +83,14 @@ public:
       return;
     }
     const Contact& contact = contacts.front();
+    // Whatever led here: what overlaps collides.
+    const bool colliding = contact.distance < -kTouch;
     Diagnostic finding;
     finding.severity = colliding ? Severity::Violation : Severity::Warning;
     finding.code = colliding ? "motion.collision" : "motion.near_collision";
     finding.place = {operationId_, waypoint.layer, waypoint.bead, waypoint.point};
-    finding.data = {{colliding ? "depth_mm" : "distance_mm", std::abs(contact.distance)},
+    const double gap = colliding ? -contact.distance : std::max(0.0, contact.distance);
+    finding.data = {{colliding ? "depth_mm" : "distance_mm", gap},
                     {"points", static_cast<double>(worst.count)}};
     const bool travel = waypoint.point < 0;
     const char* pattern =
@@ -97,9 +100,8 @@ public:
             : (travel
                    ? "%1 comes within %2 of %3 in a travel move, at %4; the safety distance is %5"
                    : "%1 comes within %2 of %3 at %4; the safety distance is %5");
-    finding.message =
-        text(pattern, {contact.first, mm(colliding ? -contact.distance : contact.distance),
-                       withWhat(contact, finding), points(worst.count), mm(safety)});
+    finding.message = text(pattern, {contact.first, mm(gap), withWhat(contact, finding),
+                                     points(worst.count), mm(safety)});
     finding.remedy = "tilt the torch, change the rotation about it or the place of the part";
     context.add(std::move(finding));
   }
@@ -214,7 +216,7 @@ CollisionStatistics checkCollisions(const Motion& motion,
       if (worst->count > 0) {
         context.check();
         report.tell(*worst, all.states[worst->state], motion.waypoints[all.waypoint[worst->state]],
-                    worst == &colliding, context);
+                    context);
       }
     }
   }
@@ -229,6 +231,9 @@ CheckedMotion planCheckedMotion(const toolpath::Toolpath& path,
                                 const std::string& operationId,
                                 const JobContext& context) {
   CheckedMotion result;
+  if (substrate != nullptr && !path.layers.empty()) {
+    detail::checkTable(cell, *substrate, context);
+  }
   if (!params.checkCollisions || cell.shapes.empty()) {
     const JobContext planning = context.withOwnDiagnostics();
     result.planned = planMotion(path, cell, params, operationId, planning);

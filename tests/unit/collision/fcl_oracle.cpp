@@ -12,7 +12,10 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace wcam::collision::test {
@@ -137,6 +140,29 @@ bool FclOracle::collides(const CellState& state, std::string* what) const {
     }
   }
   return false;
+}
+
+double FclOracle::shapeDistance(const CellState& state) const {
+  const std::vector<PlacedShape> placed = impl_->collision.placedShapes(state.joints);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    for (std::size_t k = i + 1; k < placed.size(); ++k) {
+      if (!impl_->collision.compares(static_cast<std::ptrdiff_t>(i),
+                                     static_cast<std::ptrdiff_t>(k))) {
+        continue;
+      }
+      if (overlap(impl_->shapes[i], placed[i].T_base_shape, impl_->shapes[k],
+                  placed[k].T_base_shape)) {
+        return 0.0;
+      }
+      const fcl::DistanceRequestd request;
+      fcl::DistanceResultd result;
+      least = std::min(
+          least, fcl::distance(impl_->shapes[i].get(), placed[i].T_base_shape,
+                               impl_->shapes[k].get(), placed[k].T_base_shape, request, result));
+    }
+  }
+  return least;
 }
 
 bool FclOracle::torchCollides(const ToolState& state) const {

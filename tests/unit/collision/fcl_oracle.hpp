@@ -18,6 +18,9 @@ public:
 
   /// True when anything overlaps; `what` names the pair.
   [[nodiscard]] bool collides(const CellState& state, std::string* what) const;
+  /// Least distance of all pairs of shapes that CellCollision compares, the deposit left out, mm; 0
+  /// where they overlap.
+  [[nodiscard]] double shapeDistance(const CellState& state) const;
   /// The torch alone with the deposit.
   [[nodiscard]] bool torchCollides(const ToolState& state) const;
 
