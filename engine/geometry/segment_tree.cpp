@@ -87,8 +87,14 @@ Vec3 SegmentTree::nearest(const Vec3& p) const {
   if (segments_.empty()) {
     return p;
   }
+  const Nearest found = nearestSegment(p);
+  return found.a + found.fraction * (found.b - found.a);
+}
+
+SegmentTree::Nearest SegmentTree::nearestSegment(const Vec3& p) const {
+  WCAM_ASSERT(!segments_.empty());
   const auto& [a, b] = segments_[find(p, std::numeric_limits<double>::infinity()).segment];
-  return a + footOn(p, a, b) * (b - a);
+  return {a, b, footOn(p, a, b)};
 }
 
 SegmentTree::Found SegmentTree::find(const Vec3& p, double atMost) const {

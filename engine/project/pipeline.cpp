@@ -6,6 +6,7 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/geometry/mesh_deviation.hpp"
 #include "wcam/motion/pauses.hpp"
 #include "wcam/program/from_motion.hpp"
 #include "wcam/project/project_file.hpp"
@@ -20,11 +21,11 @@ namespace {
 constexpr int kPartVersion = 1;
 constexpr int kSubstrateVersion = 1;
 constexpr int kSliceVersion = 2;
-constexpr int kPathVersion = 1;
+constexpr int kPathVersion = 2;
 constexpr int kEditsVersion = 1;
 constexpr int kProcessVersion = 1;
 constexpr int kCellVersion = 2;
-constexpr int kMotionVersion = 3;
+constexpr int kMotionVersion = 4;
 constexpr int kProgramVersion = 1;
 
 std::string placementText(const Placement& placement) {
@@ -480,11 +481,15 @@ OperationResult Pipeline::computeStages(const Operation& operation,
     sliceKey.text(sha256Hex(text));
   }
   const auto pathParams = toolpath::PathParams::schema().read(operation.path, "path");
-  input.sampling = pathParams.sampling();
   Value processParams;
   result.process = processOf(operation, processParams);
   input.bead = {result.process.heightMin.value(), result.process.heightMax.value(),
                 result.process.beadWidth.value()};
+  double deviation = 0.0;
+  for (const auto& part : input.parts) {
+    deviation = std::max(deviation, geometry::meshDeviation(*part));
+  }
+  input.sampling = pathParams.sampling(input.bead.width, deviation);
   for (std::size_t i = 0; i < result.parts.size(); ++i) {
     collect(result.findings,
             compareWithBead(*result.parts[i], operation.parts[i], input.bead.width), operation.id);

@@ -6,6 +6,7 @@
 #include "wcam/base/parallel.hpp"
 #include "wcam/geometry/segment_tree.hpp"
 
+#include "bead_slide.hpp"
 #include "contour_points.hpp"
 #include "frames.hpp"
 
@@ -450,14 +451,15 @@ std::vector<Contour> offsetContour(const Contour& contour,
 }
 
 SlicedLayers withBeadReference(const SlicedLayers& sliced,
-                               BeadReference reference,
+                               const Substrate& substrate,
+                               const PathParams& params,
                                double width,
-                               const Sampling& sampling,
                                const JobContext& context) {
-  if (reference == BeadReference::Centre) {
+  if (params.beadReference == BeadReference::Centre) {
     return sliced;
   }
-  const double sign = reference == BeadReference::Inside ? 1.0 : -1.0;
+  const double sign = params.beadReference == BeadReference::Inside ? 1.0 : -1.0;
+  const Sampling sampling = params.sampling(width, 0.0);
   SlicedLayers result = sliced;
   std::vector<std::size_t> vanished(sliced.layers.size(), 0);
   parallelFor(
@@ -489,6 +491,9 @@ SlicedLayers withBeadReference(const SlicedLayers& sliced,
                    {{}, static_cast<int>(l), -1, -1},
                    {{"contours", static_cast<double>(vanished[l])}}});
     }
+  }
+  if (sliced.curved && sliced.onSubstrate) {
+    slideToSubstrate(sliced, substrate, sign, width, result, context);
   }
   return result;
 }

@@ -24,11 +24,18 @@ std::vector<Contour> offsetContour(const Contour& contour,
                                    const Sampling& sampling);
 
 /// All contours of all layers moved so that the contour is the named side of the bead.
-/// Findings: toolpath.contour_vanished, one per layer.
+///
+/// A wall that leans moves across itself and so up or down as well: what its first layer lies above
+/// the substrate then is not its height any more. Layers that follow the wall (curved) are slid
+/// back along it, the first until it is as high above the substrate as it was, those above by as
+/// much as what lies below them, so that they stay a step apart.
+///
+/// Findings: toolpath.contour_vanished, one per layer; toolpath.top_moved where the last layers end
+/// higher or lower than the part by more than half a step.
 SlicedLayers withBeadReference(const SlicedLayers& sliced,
-                               BeadReference reference,
+                               const Substrate& substrate,
+                               const PathParams& params,
                                double width,
-                               const Sampling& sampling,
                                const JobContext& context);
 
 }  // namespace wcam::toolpath

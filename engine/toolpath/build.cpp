@@ -3,7 +3,9 @@
 
 #include "wcam/toolpath/build.hpp"
 
+#include "wcam/base/parallel.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/geometry/segment_tree.hpp"
 #include "wcam/toolpath/layer_distance.hpp"
 
 #include "axis_rules.hpp"
@@ -87,42 +89,91 @@ std::vector<Vec3> positionsOf(const Bead& bead) {
   return points;
 }
 
-/// Distances of a layer's points to the layers below, to the substrate or to the bead's own
-/// revolution before, whichever is nearest; and the heights that follow from them.
-void setDistances(Layer& layer,
-                  const std::vector<OrderedContour>& ordered,
-                  const SlicedLayer& sliced,
-                  const std::vector<const Contour*>& below,
-                  const Substrate& substrate) {
+/// What a point of a bead lies on.
+struct Support {
+  double distance = std::numeric_limits<double>::infinity();  ///< mm
+  bool substrate = false;
+};
+
+/// The substrate counts where it is met before the layers below, going down against the build
+/// direction: a wall that grows sideways just above the plate lies on its own last layer, however
+/// near the plate is, and layers about an axis that stands on the plate have nothing of it below.
+/// The distance is the shortest one, as to the layers (Chalvin A4): on a slope it is not the
+/// height.
+Support supportOf(const PathPoint& point,
+                  double toLayer,
+                  const Substrate& substrate,
+                  double onSubstrate) {
+  const Substrate::Foot foot = substrate.nearest(point.p);
+  if (std::abs(foot.distance) <= onSubstrate) {
+    return {toLayer, true};
+  }
+  const double descent = point.b.dot(foot.direction);
+  // Directions that reach the substrate only farther than a hundred times away run along it.
+  constexpr double kAlong = 0.01;
+  const bool counts = descent > kAlong && foot.distance > 0.0 && foot.distance < descent * toLayer;
+  return counts ? Support{foot.distance, true} : Support{toLayer, false};
+}
+
+/// Distances of a layer's points to what lies below them: the layers below, the substrate or the
+/// bead's own revolution before; and the heights that follow from them.
+/// @param substrate null for layers that do not stand on it
+/// @returns what the points of all beads lie on, in order
+std::vector<Support> setDistances(Layer& layer,
+                                  const std::vector<OrderedContour>& ordered,
+                                  const SlicedLayer& sliced,
+                                  const std::vector<const Contour*>& below,
+                                  const Substrate* substrate) {
   std::vector<Vec3> points;
-  std::vector<double> own;
+  std::vector<PathPoint*> own;
+  std::vector<Support> supports;
   for (std::size_t b = 0; b < layer.beads.size(); ++b) {
     const std::vector<Vec3> positions = positionsOf(layer.beads[b]);
-    const std::vector<double> distances = revolutionDistance(positions, ordered[b].contour.turns);
     points.insert(points.end(), positions.begin(), positions.end());
-    own.insert(own.end(), distances.begin(), distances.end());
+    for (const double distance : revolutionDistance(positions, ordered[b].contour.turns)) {
+      supports.push_back({distance, false});
+    }
+    for (PathPoint& point : layer.beads[b].points) {
+      own.push_back(&point);
+    }
   }
   const std::vector<double> toLayer = layerDistance(points, below);
   // A layer on the substrate itself has no height of its own: the wanted one holds.
   const double onSubstrate = kOnSubstrate * sliced.nominalHeight;
-  std::size_t i = 0;
-  for (Bead& bead : layer.beads) {
-    for (PathPoint& point : bead.points) {
-      const double above = substrate.heightAbove(point.p);
-      double nearest = std::min(toLayer[i], own[i]);
-      nearest = above > onSubstrate ? std::min(nearest, above) : nearest;
-      const bool known = std::isfinite(nearest) && nearest > onSubstrate;
-      const double unknown = point.height > 0.0 ? point.height : sliced.nominalHeight;
-      point.distance = known ? nearest : unknown;
-      point.height = point.height > 0.0 ? point.height : point.distance;
-      ++i;
-    }
-  }
+  constexpr std::size_t kGrain = 512;
+  parallelFor(own.size(), kGrain, [&](std::size_t i) {
+    PathPoint& point = *own[i];
+    const double toPath = std::min(toLayer[i], supports[i].distance);
+    supports[i] = substrate != nullptr ? supportOf(point, toPath, *substrate, onSubstrate)
+                                       : Support{toPath, false};
+    const double nearest = supports[i].distance;
+    const bool known = std::isfinite(nearest) && nearest > onSubstrate;
+    const double unknown = point.height > 0.0 ? point.height : sliced.nominalHeight;
+    point.distance = known ? nearest : unknown;
+    point.height = point.height > 0.0 ? point.height : point.distance;
+  });
+  return supports;
 }
 
+/// Least distance of a bead's points to the beads of its layer before it.
+double besideDistance(const Layer& layer, std::size_t bead) {
+  geometry::SegmentTree tree;
+  for (std::size_t b = 0; b < bead; ++b) {
+    tree.add(positionsOf(layer.beads[b]), false);
+  }
+  tree.build();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const PathPoint& point : layer.beads[bead].points) {
+    nearest = std::min(nearest, tree.distance(point.p));
+  }
+  return nearest;
+}
+
+/// A bead in the air cannot be deposited: a violation, unless it is welded to a bead beside it.
 void reportUnsupported(const Layer& layer,
                        int layerIndex,
                        double nominalHeight,
+                       double width,
                        const JobContext& context) {
   for (std::size_t b = 0; b < layer.beads.size(); ++b) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -130,8 +181,9 @@ void reportUnsupported(const Layer& layer,
       nearest = std::min(nearest, point.distance);
     }
     if (nearest > kUnsupported * nominalHeight) {
+      const bool beside = b > 0 && besideDistance(layer, b) <= width;
       context.add(
-          {Severity::Warning,
+          {beside ? Severity::Warning : Severity::Violation,
            "toolpath.unsupported",
            text("a bead lies %1 mm or more above everything below it", {formatFixed(nearest, 2)}),
            "build this place on something: another order, a support or another build direction",
@@ -159,33 +211,64 @@ void reportSeams(std::size_t tooClose,
                {{"beads", static_cast<double>(tooClose)}}});
 }
 
-/// Points of the first layer beside the plate.
-void reportOutsidePlate(const Layer& first, const Substrate& substrate, const JobContext& context) {
-  if (!substrate.isPlate()) {
-    return;
-  }
-  const geometry::Pose T_substrate_part = substrate.pose().inverse();
-  const Vec3 half = 0.5 * substrate.size();
-  std::size_t outside = 0;
-  double farthest = 0.0;
-  for (const Bead& bead : first.beads) {
-    for (const PathPoint& point : bead.points) {
-      const Vec3 p = T_substrate_part * point.p;
-      const double excess = std::max(std::abs(p.x()) - half.x(), std::abs(p.y()) - half.y());
-      outside += excess > 0.0 ? 1U : 0U;
-      farthest = std::max(farthest, excess);
+/// Points that lie on the plate's plane but not on the plate. A spiral's later revolutions lie on
+/// the ones before.
+class OutsidePlate {
+public:
+  OutsidePlate(const Substrate& substrate, double width)
+      : substrate_(substrate),
+        T_substrate_part_(substrate.pose().inverse()),
+        half_(0.5 * substrate.size()),
+        width_(width) {}
+
+  void add(const Layer& layer, int layerIndex, const std::vector<Support>& supports) {
+    if (!substrate_.isPlate()) {
+      return;
+    }
+    std::size_t i = 0;
+    for (const Bead& bead : layer.beads) {
+      for (const PathPoint& point : bead.points) {
+        if (!supports[i++].substrate) {
+          continue;
+        }
+        const Vec3 p = T_substrate_part_ * point.p;
+        const double excess = std::max(std::abs(p.x()) - half_.x(), std::abs(p.y()) - half_.y());
+        outside_ += excess > 0.0 ? 1U : 0U;
+        if (excess > farthest_) {
+          farthest_ = excess;
+          layer_ = layerIndex;
+        }
+      }
     }
   }
-  if (outside > 0) {
-    context.add({Severity::Warning,
-                 "toolpath.outside_plate",
-                 text("%1 points of the first layer lie beside the plate, up to %2 mm",
-                      {std::to_string(outside), formatFixed(farthest, 1)}),
-                 "move the part or choose a larger plate",
-                 {{}, 0, -1, -1},
-                 {{"points", static_cast<double>(outside)}, {"excess_mm", farthest}}});
+
+  /// A bead whose middle lies beyond the edge by half its width meets nothing of the plate.
+  void report(const JobContext& context) const {
+    if (outside_ == 0) {
+      return;
+    }
+    const bool off = farthest_ > 0.5 * width_;
+    context.add(
+        {off ? Severity::Violation : Severity::Warning,
+         "toolpath.outside_plate",
+         text(outside_ == 1 ? "%1 point that should lie on the plate lies beside it, by %2 mm"
+                            : "%1 points that should lie on the plate lie beside it, by up "
+                              "to %2 mm",
+              {std::to_string(outside_), formatFixed(farthest_, 1)}),
+         "move the part or choose a larger plate",
+         {{}, layer_, -1, -1},
+         {{"points", static_cast<double>(outside_)}, {"excess_mm", farthest_}}});
   }
-}
+
+private:
+  const Substrate& substrate_;
+  geometry::Pose T_substrate_part_;
+  Vec3 half_;
+  double width_;
+  std::size_t outside_ = 0;
+  double farthest_ = 0.0;
+  int layer_ = 0;
+};
 
 }  // namespace
 
@@ -194,10 +277,10 @@ Toolpath buildToolpath(const SlicedLayers& contours,
                        const PathParams& params,
                        const JobContext& context,
                        const BeadRange& range) {
-  const SlicedLayers sliced =
-      withBeadReference(contours, params.beadReference, range.width, params.sampling(), context);
+  const SlicedLayers sliced = withBeadReference(contours, substrate, params, range.width, context);
   Toolpath path;
   BeadOrder order(params, substrate);
+  OutsidePlate outside(substrate, range.width);
   for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
     context.check();
     const SlicedLayer& source = sliced.layers[l];
@@ -210,17 +293,18 @@ Toolpath buildToolpath(const SlicedLayers& contours,
       layer.beads.push_back(makeBead(item.contour, source, item.reversed));
     }
     setAxes(layer, ordered, sliced.curved, substrate, params, static_cast<int>(l), context);
-    setDistances(layer, ordered, source, contoursBelow(sliced, l), substrate);
-    reportUnsupported(layer, static_cast<int>(l), source.nominalHeight, context);
+    const std::vector<Support> supports =
+        setDistances(layer, ordered, source, contoursBelow(sliced, l),
+                     sliced.onSubstrate ? &substrate : nullptr);
+    outside.add(layer, static_cast<int>(l), supports);
+    reportUnsupported(layer, static_cast<int>(l), source.nominalHeight, range.width, context);
     for (Bead& bead : layer.beads) {
       addZones(bead, params.zones());
     }
     path.layers.push_back(std::move(layer));
     context.report(static_cast<double>(l + 1) / static_cast<double>(sliced.layers.size()));
   }
-  if (!path.layers.empty()) {
-    reportOutsidePlate(path.layers.front(), substrate, context);
-  }
+  outside.report(context);
   return path;
 }
 

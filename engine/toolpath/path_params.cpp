@@ -3,6 +3,8 @@
 
 #include "wcam/toolpath/build.hpp"
 
+#include <algorithm>
+
 namespace wcam::toolpath {
 
 namespace {
@@ -12,16 +14,19 @@ void addSampling(Schema<PathParams>& schema) {
       .add(&PathParams::chordError,
            {.key = "chord_error",
             .label = "Chord error",
-            .help = "Greatest distance between the path and the curve it follows.",
+            .help = "Maximum distance between the path and the curve it follows. 0 follows from "
+                    "part and bead: 0.01 mm on CAD surfaces; on a mesh as much as the mesh itself "
+                    "deviates from its shape, but no more than 2 % of the bead's width.",
             .group = "Sampling",
-            .min = 1e-5,
+            .min = 0.0,
             .max = 10.0})
       .add(&PathParams::maxSpacing,
            {.key = "max_spacing",
             .label = "Greatest point spacing",
-            .help = "Robots leave the line between far points; 4.9 mm keeps them on it.",
+            .help = "Robots leave the line between far points; 4.9 mm keeps them on it. 0 takes "
+                    "these 4.9 mm, or the bead's width if it is narrower.",
             .group = "Sampling",
-            .min = 0.01,
+            .min = 0.0,
             .max = 1000.0});
 }
 
@@ -321,6 +326,20 @@ ZoneParams PathParams::zones() const {
   zones.wipe = wipe.value();
   zones.wipeLift = wipeLift.value();
   return zones;
+}
+
+Sampling PathParams::sampling(double width, double meshDeviation) const {
+  constexpr double kExactChord = 0.01;     // mm, an accuracy that no robot passes (Chalvin A3)
+  constexpr double kShownShare = 0.02;     // of the bead's width: less is lost in its ripple
+  constexpr double kMostSpacing = 4.9;     // mm (Chalvin A26)
+  constexpr double kFinestChord = 1e-5;    // mm
+  constexpr double kFinestSpacing = 0.01;  // mm
+  const double chord = chordError.value() > 0.0
+                           ? chordError.value()
+                           : std::max(kExactChord, std::min(meshDeviation, kShownShare * width));
+  const double spacing =
+      maxSpacing.value() > 0.0 ? maxSpacing.value() : std::min(kMostSpacing, width);
+  return {std::max(chord, kFinestChord), std::max(spacing, kFinestSpacing)};
 }
 
 }  // namespace wcam::toolpath

@@ -15,31 +15,38 @@ namespace wcam::toolpath {
 
 namespace {
 
-/// Build direction of every point: b = t × n with t from the neighbours, on one side only at the
-/// seam, where ramps have a step.
-std::vector<Vec3> buildDirections(const std::vector<ContourPoint>& points,
-                                  const std::vector<std::size_t>& turns) {
+/// Build direction of a point, and the length of the chord that tells it.
+struct Direction {
+  Vec3 b = Vec3::Zero();
+  double chord = 0.0;
+};
+
+/// b = t × n of every point with t from the neighbours, on one side only at the seam, where ramps
+/// have a step.
+std::vector<Direction> buildDirections(const std::vector<ContourPoint>& points,
+                                       const std::vector<std::size_t>& turns) {
   std::vector<bool> first(points.size() + 1, false);
   for (const std::size_t turn : turns) {
     first[turn] = true;
   }
   first[points.size()] = true;
-  std::vector<Vec3> directions(points.size(), Vec3::Zero());
+  std::vector<Direction> directions(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t before = first[i] ? i : i - 1;
     const std::size_t after = first[i + 1] ? i : i + 1;
-    const Vec3 b = (points[after].p - points[before].p).cross(points[i].n);
-    directions[i] = b.norm() > 0.0 ? Vec3(b.normalized()) : Vec3::Zero();
+    const Vec3 chord = points[after].p - points[before].p;
+    const Vec3 b = chord.cross(points[i].n);
+    directions[i] = {b.norm() > 0.0 ? Vec3(b.normalized()) : Vec3::Zero(), chord.norm()};
   }
   return directions;
 }
 
-/// H = D·cos θ, θ between the step along the generatrix and b (Diourté M23). Where generatrices run
-/// together the path has no direction of its own and the step itself is the height.
-double depositHeight(const Vec3& step, const Vec3& b) {
-  constexpr double kNoDirection = 0.2;
-  const double height = step.dot(b);
-  return height > kNoDirection * step.norm() ? height : step.norm();
+/// H = D·cos θ, θ between the step along the generatrix and b (Diourté M23), whatever the tilt.
+/// Where generatrices run together so that the path has no direction of its own the step itself is
+/// the height.
+double depositHeight(const Vec3& step, const Vec3& b, double chord) {
+  constexpr double kNoDirection = 1e-3;
+  return chord > kNoDirection * step.norm() ? step.dot(b) : step.norm();
 }
 
 /// Drops points that coincide with the one before, as filled generatrices with a common end give.
@@ -61,38 +68,14 @@ void dropCoincident(Contour& contour, double apart) {
   contour.turns = std::move(turns);
 }
 
-void reportHeights(const SpiralPlan& plan,
-                   const SpiralWish& wish,
-                   const std::vector<ContourPoint>& points,
-                   const std::vector<std::size_t>& turns,
-                   const JobContext& context) {
-  // Only regular revolutions of the first zone promise the range as it stands.
-  if (wish.secondHeight > 0.0 || plan.turns.size() <= plan.startTurns + plan.endTurns) {
-    return;
-  }
-  const std::size_t from = turns[plan.startTurns];
-  const std::size_t to =
-      plan.endTurns > 0 ? turns[plan.turns.size() - plan.endTurns] : points.size();
-  std::size_t outside = 0;
-  double least = wish.heightMax;
-  double greatest = wish.heightMin;
-  // The range holds along the generatrices; on b it is shorter by the cosine of their angle.
-  for (std::size_t i = from; i < to; ++i) {
-    const double h = points[i].height;
-    outside += h < wish.heightMin || h > wish.heightMax ? 1U : 0U;
-    least = std::min(least, h);
-    greatest = std::max(greatest, h);
-  }
-  reportSpiralHeights(wish, outside, least, greatest, context);
-}
-
 }  // namespace
 
 SlicedLayers spiralAlong(const geometry::PartSurface& part,
                          const Generatrices& generatrices,
                          const SpiralPlan& plan,
                          const SpiralWish& wish,
-                         const JobContext& context) {
+                         const JobContext& context,
+                         const std::optional<Sampling>& thinning) {
   const std::vector<Generatrix>& curves = generatrices.curves;
   std::vector<Vec3> wanted;
   std::vector<Vec3> steps;
@@ -116,21 +99,33 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
        projector.project(wanted, context.portion(0.0, 0.9, "projection"))) {
     contour.points.push_back({point.p, point.n});
   }
-  const std::vector<Vec3> up = buildDirections(contour.points, turns);
+  const std::vector<Direction> up = buildDirections(contour.points, turns);
   for (std::size_t i = 0; i < contour.points.size(); ++i) {
-    contour.points[i].height = depositHeight(steps[i], up[i]);
+    contour.points[i].height = depositHeight(steps[i], up[i].b, up[i].chord);
   }
   if (wish.end == SpiralEnd::Mirrored && contour.points.size() > 1) {
     contour.points.back().height = contour.points[contour.points.size() - 2].height;
   }
   contour.turns = turns;
-  reportHeights(plan, wish, contour.points, turns, context);
+  SpiralHeights heights;
+  for (std::size_t i = 0; i < plan.turns.size() * curves.size(); ++i) {
+    heights.add(contour.points[i].height, plan.turns[i / curves.size()]);
+  }
+  reportSpiralHeights(heights, context);
+  // The finding tells true heights; a bead needs a positive one.
+  constexpr double kLeastBead = 0.01;
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    contour.points[i].height = std::max(contour.points[i].height, kLeastBead * wish.height);
+  }
   // A small part of a layer: nothing that a robot or a bead could tell apart.
   constexpr double kCoincident = 1e-4;
   dropCoincident(contour, kCoincident * wish.height);
+  if (thinning) {
+    thinSpiral(contour, *thinning);
+  }
   Vec3 mean = Vec3::Zero();
-  for (const Vec3& b : up) {
-    mean += b;
+  for (const Direction& direction : up) {
+    mean += direction.b;
   }
   SlicedLayers sliced;
   sliced.curved = true;

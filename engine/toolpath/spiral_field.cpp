@@ -6,7 +6,6 @@
 #include "wcam/geometry/cut_path.hpp"
 #include "wcam/geometry/harmonic.hpp"
 #include "wcam/geometry/level_set.hpp"
-#include "wcam/geometry/segment_tree.hpp"
 #include "wcam/geometry/surface_point.hpp"
 #include "wcam/geometry/surface_projector.hpp"
 #include "wcam/toolpath/spiral.hpp"
@@ -77,27 +76,6 @@ double tableEnd(const std::vector<double>& table) {
   return 2.0 * table.back() - table[table.size() - 2];
 }
 
-/// Drops points whose removal keeps the chord error, as far as the spacing allows.
-std::vector<std::size_t> thinned(const std::vector<ContourPoint>& points,
-                                 std::size_t from,
-                                 std::size_t to,
-                                 const Sampling& sampling) {
-  std::vector<std::size_t> kept{from};
-  std::size_t anchor = from;
-  for (std::size_t i = from + 1; i < to; ++i) {
-    bool keep = i + 1 == to || (points[i + 1].p - points[anchor].p).norm() > sampling.maxSpacing;
-    for (std::size_t k = anchor + 1; k <= i && !keep; ++k) {
-      keep = geometry::distanceToSegment(points[k].p, points[anchor].p, points[i + 1].p) >
-             sampling.chordError;
-    }
-    if (keep) {
-      kept.push_back(i);
-      anchor = i;
-    }
-  }
-  return kept;
-}
-
 struct TracedTurn {
   std::vector<Vec3> points;
   std::vector<double> heights;
@@ -148,24 +126,39 @@ private:
   std::vector<Vec3> gradients_;
 };
 
+/// Mesh noise of the gradients: heights that pass the range by less are no reason to refuse.
+constexpr double kFieldNoise = 0.01;
+
+/// @throws Error(JobFailed) where the range cannot be kept and the wish says so
+void judgeHeights(const SpiralHeights& heights, const SpiralWish& wish, const JobContext& context) {
+  reportSpiralHeights(heights, context);
+  if (!wish.refuse || heights.excess <= kFieldNoise) {
+    return;
+  }
+  // Rounded away from the heights; a percent for the ramps that follow from the range.
+  constexpr double kReserve = 0.01;
+  const double low = std::floor((1.0 - kReserve) * heights.least * 100.0) / 100.0;
+  const double high = std::ceil((1.0 + kReserve) * heights.greatest * 100.0) / 100.0;
+  throw Error(ErrorCode::JobFailed,
+              text("%1 points of the spiral would need a deposit outside of %2 to %3 mm; the worst "
+                   "is %4 mm",
+                   {std::to_string(heights.outside), formatFixed(heights.low, 3),
+                    formatFixed(heights.high, 3), formatFixed(heights.worst, 3)}),
+              "continuous spiral",
+              wish.secondHeight > 0.0 || !(low > 0.0)
+                  ? text("widen the modulation range, or choose the form of generatrices")
+                  : text("set height_min to %1 mm and height_max to %2 mm, or choose the form of "
+                         "generatrices",
+                         {formatFixed(low, 2), formatFixed(high, 2)}));
+}
+
 void reportFieldSpiral(const SpiralPlan& plan,
-                       const SpiralWish& wish,
-                       const Contour& bead,
+                       const SpiralHeights& heights,
                        double meanLength,
                        const JobContext& context) {
-  const std::size_t from = bead.turns[std::min(plan.startTurns, bead.turns.size() - 1)];
-  const std::size_t to = plan.endTurns > 0 && plan.endTurns < bead.turns.size()
-                             ? bead.turns[bead.turns.size() - plan.endTurns]
-                             : bead.points.size();
-  double least = wish.heightMax;
-  double greatest = wish.heightMin;
-  std::size_t outside = 0;
-  for (std::size_t i = from; i < to; ++i) {
-    const double h = bead.points[i].height;
-    least = std::min(least, h);
-    greatest = std::max(greatest, h);
-    outside += h < wish.heightMin || h > wish.heightMax ? 1U : 0U;
-  }
+  const bool measured = heights.points > 0;
+  const double least = measured ? heights.least : plan.regularMin;
+  const double greatest = measured ? heights.greatest : plan.regularMax;
   context.add({Severity::Information,
                "slicing.spiral",
                text("one bead of %1 revolutions, %2 to %3 mm deposit; mean generatrix %4 mm",
@@ -180,9 +173,6 @@ void reportFieldSpiral(const SpiralPlan& plan,
                 {"deposit_max_mm", greatest},
                 {"mean_length_mm", meanLength},
                 {"seam_step_mm", plan.largestSeamStep}}});
-  if (!(wish.secondHeight > 0.0)) {
-    reportSpiralHeights(wish, outside, least, greatest, context);
-  }
 }
 
 }  // namespace
@@ -199,6 +189,7 @@ SlicedLayers spiralOnField(const geometry::PartSurface& part,
   const geometry::SurfaceProjector projector(surface);
   const JobContext tracing = context.portion(0.5, 1.0, "spiral");
   Contour bead;
+  SpiralHeights heights;
   Vec3 up = Vec3::Zero();
   for (std::size_t k = 0; k < plan.turns.size(); ++k) {
     tracing.check();
@@ -217,6 +208,7 @@ SlicedLayers spiralOnField(const geometry::PartSurface& part,
                            k + plan.endTurns + 1 < plan.turns.size();
     for (std::size_t i = 0; i + (continues ? 1 : 0) < kept.size(); ++i) {
       bead.points.push_back(points[kept[i]]);
+      heights.add(points[kept[i]].height, plan.turns[k]);
     }
     for (std::size_t i = 1; i < points.size(); ++i) {
       up += (points[i].p - points[i - 1].p).cross(points[i].n);
@@ -227,7 +219,8 @@ SlicedLayers spiralOnField(const geometry::PartSurface& part,
     throw Error(ErrorCode::JobFailed, "no revolution meets the part", "continuous spiral",
                 "check the step and the part's borders");
   }
-  reportFieldSpiral(plan, wish, bead, wall.total, context);
+  judgeHeights(heights, wish, context);
+  reportFieldSpiral(plan, heights, wall.total, context);
   SlicedLayers sliced;
   sliced.curved = true;
   SlicedLayer& layer = sliced.layers.emplace_back();

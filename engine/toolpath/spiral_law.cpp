@@ -325,6 +325,9 @@ SpiralPlan planContinuous(const std::vector<double>& lengths, const SpiralWish& 
       turn.position.push_back(at[i]);
       turn.step.push_back(d);
     }
+    const auto [low, high] = std::minmax(regular.pitch[k], regular.pitch[k + 1]);
+    turn.lowest = wish.heightMin * low / regular.pitch.front();
+    turn.highest = wish.heightMax * high / regular.pitch.front();
     seam = std::max(seam, std::abs(turn.position.front() - arrived));
     arrived += regular.scaleAtEnd * regular.pitch[k + 1];
     plan.turns.push_back(std::move(turn));
@@ -399,6 +402,8 @@ SpiralPlan planLiteral(const std::vector<double>& lengths, const SpiralWish& wis
       turn.position.push_back(start.total(at(i)) + static_cast<double>(k) * step);
       turn.step.push_back(step);
     }
+    turn.lowest = wish.heightMin;
+    turn.highest = wish.heightMax;
     if (k > 1) {
       plan.largestSeamStep =
           std::max(plan.largestSeamStep,

@@ -147,7 +147,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Branching parts",
        .summary = "Cuts a part where its layers part or join and builds the pieces in a chosen "
                   "order, each layer on those that lie below it.",
-       .version = 2,
+       .version = 3,
        .params = Params::schema().params()},
       [] { return std::make_unique<BranchSlicing>(); });
 }

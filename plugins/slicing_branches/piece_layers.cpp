@@ -340,8 +340,9 @@ private:
                     {{"piece", static_cast<double>(number)}, {"deposit_mm", plan.excess->height}}});
     }
     pieceHeight_ = piece.to - piece.from;
-    toolpath::SlicedLayers sliced =
-        toolpath::spiralAlong(piece.surface, curves, plan, wish, context_.withOwnDiagnostics());
+    toolpath::SlicedLayers sliced = toolpath::spiralAlong(
+        piece.surface, curves, plan, wish, context_.withOwnDiagnostics(),
+        piece.surface.exact() ? std::nullopt : std::optional(input_.sampling));
     for (SlicedLayer& layer : sliced.layers) {
       layer.level = 0.0;
     }

@@ -350,6 +350,7 @@ public:
                                         ? sliceByAngle(input, params, axis, substrate, context)
                                         : sliceByHeight(input, params, axis, substrate, context);
     sliced.curved = true;
+    sliced.onSubstrate = false;
     toolpath::moveOntoParts(sliced, given.parts, given.sampling, context);
     for (toolpath::SlicedLayer& layer : sliced.layers) {
       setBuildDirection(layer);
@@ -414,7 +415,17 @@ private:
         levelsFrom(std::max(0.0, angles.low), high, step, own, axis.z, params.step.value());
     requireLevels(levels, 0.0, angles);
     field.setLevels(levels);
-    return toolpath::sliceByField(input.parts, field, levels, substrate, input.sampling, context);
+    toolpath::SlicedLayers sliced =
+        toolpath::sliceByField(input.parts, field, levels, substrate, input.sampling, context);
+    // The first layer lies on the half-plane of the start: its height grows with the radius.
+    toolpath::SlicedLayer& first = sliced.layers.front();
+    const double chord = 2.0 * std::sin(0.5 * (first.level - std::max(0.0, angles.low)));
+    for (toolpath::Contour& contour : first.contours) {
+      for (toolpath::ContourPoint& point : contour.points) {
+        point.height = chord * axis.radial(point.p).norm();
+      }
+    }
+    return sliced;
   }
 
   static void requireLevels(const std::vector<toolpath::LayerLevel>& levels,
@@ -463,7 +474,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Around an axis",
        .summary = "Layers on cylinders, cones, spheres or half-planes around an axis: flanges on a "
                   "shaft, blades on a hub, bent walls.",
-       .version = 2,
+       .version = 3,
        .params = Params::schema().params()},
       [] { return std::make_unique<RadialSlicing>(); });
 }

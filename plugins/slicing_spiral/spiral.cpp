@@ -221,6 +221,7 @@ toolpath::SpiralWish wishOf(const Params& params, const toolpath::WallLimits& li
   wish.secondHeight = params.secondStep.value();
   wish.secondFrom = params.secondFrom.value();
   wish.transition = params.transition;
+  wish.refuse = params.infeasible == Infeasible::Refuse;
   return wish;
 }
 
@@ -302,8 +303,12 @@ public:
     }
     const toolpath::SpiralPlan plan = toolpath::planSpiral(lengths, wish);
     reportExcess(generatrices, plan, wish, params, context);
+    // The facets of a mesh ask for many generatrices, but few points lie at its edges. Points that
+    // were asked for by number stay.
+    const std::optional<toolpath::Sampling> thinning =
+        params.generatrices > 0 || part.exact() ? std::nullopt : std::optional(input.sampling);
     return toolpath::spiralAlong(part, generatrices, plan, wish,
-                                 context.portion(0.8, 1.0, "spiral"));
+                                 context.portion(0.8, 1.0, "spiral"), thinning);
   }
 };
 
@@ -314,7 +319,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .summary =
            "One bead without interruption around a thin wall, its height modulated so that it "
            "meets both borders.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params()},
       [] { return std::make_unique<SpiralSlicing>(); });
 }

@@ -30,6 +30,17 @@ public:
   [[nodiscard]] double distance(const Vec3& p,
                                 double atMost = std::numeric_limits<double>::infinity()) const;
 
+  /// Ends of the nearest segment, in the order of its polyline, and the part of the way between
+  /// them at which the nearest point lies.
+  struct Nearest {
+    Vec3 a = Vec3::Zero();
+    Vec3 b = Vec3::Zero();
+    double fraction = 0.0;
+  };
+
+  /// There must be a segment.
+  [[nodiscard]] Nearest nearestSegment(const Vec3& p) const;
+
   /// Nearest point on the segments; p itself when there is none.
   [[nodiscard]] Vec3 nearest(const Vec3& p) const;
 

@@ -14,7 +14,7 @@ struct ProcessParams {
   WireSpeed wireSpeed = 6.0_m_min;
   Length beadWidth = 8.0_mm;
   Speed speedMin = 1.5_mm_s;
-  Speed speedMax = 20.0_mm_s;
+  Speed speedMax = 10.0_mm_s;  ///< humping of wires of 0.8 and 1.2 mm (Chalvin A1)
   Length heightMin = 1.0_mm;
   Length heightMax = 7.0_mm;
   double density = 7.85;  ///< g/cm³

@@ -71,8 +71,8 @@ enum class AxisMode {
 /// How contours become beads. Sampling is used by the strategy, the rest afterwards: changing a
 /// seam does not slice again.
 struct PathParams {
-  Length chordError = 0.01_mm;
-  Length maxSpacing = 4.9_mm;
+  Length chordError = 0.0_mm;  ///< 0: from bead and mesh, see sampling()
+  Length maxSpacing = 0.0_mm;  ///< 0: from the bead
   SeamMode seam = SeamMode::Nearest;
   Length seamShift = 10.0_mm;
   Angle seamDirection = 0.0_deg;
@@ -116,7 +116,13 @@ struct PathParams {
 
   [[nodiscard]] ZoneParams zones() const;
 
-  [[nodiscard]] Sampling sampling() const { return {chordError.value(), maxSpacing.value()}; }
+  /// Chord error and spacing. Where none is given a path follows an exact surface to 0.01 mm, and
+  /// a mesh as closely as the mesh follows its shape (finer would only copy the facets), but never
+  /// farther than a bead would show; its points lie no farther apart than a bead is wide, nor than
+  /// the 4.9 mm that keep a robot on the line (Chalvin A26).
+  /// @param width of the beads, mm
+  /// @param meshDeviation of the parts (geometry::meshDeviation), mm; 0 for exact surfaces
+  [[nodiscard]] Sampling sampling(double width, double meshDeviation) const;
 };
 
 /// Orders the contours of each layer, chooses seams and directions, and gives every point its frame

@@ -77,6 +77,9 @@ struct SlicedLayers {
   bool curved = false;  ///< layers are not planes: the build direction changes along a bead
   /// Order, starts and directions of the contours are kept: a path that was planned elsewhere.
   bool asGiven = false;
+  /// False where the part stands on something that the path does not know (a shaft, a core): the
+  /// strategy then gives the heights of what lies on that.
+  bool onSubstrate = true;
 };
 
 }  // namespace wcam::toolpath

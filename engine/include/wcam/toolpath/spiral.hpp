@@ -8,19 +8,23 @@
 #include "wcam/toolpath/slicing.hpp"
 #include "wcam/toolpath/spiral_law.hpp"
 
+#include <optional>
+
 namespace wcam::toolpath {
 
 /// One bead through all revolutions of a plan: the generatrices' points at the planned arc lengths,
 /// moved onto the part (exactly on CAD surfaces), with the deposit height H = step·b of each
 /// (Diourté M22, M23). One layer with one open contour that carries its revolutions.
 ///
-/// Findings: slicing.spiral (what was made), slicing.spiral_height (heights outside the range after
-/// the projection on b).
+/// @param thinning drops points that neither the chord error nor the spacing needs
+/// Findings: slicing.spiral (what was made), slicing.spiral_height (heights outside the range of
+/// their zone after the projection on b).
 SlicedLayers spiralAlong(const geometry::PartSurface& part,
                          const Generatrices& generatrices,
                          const SpiralPlan& plan,
                          const SpiralWish& wish,
-                         const JobContext& context);
+                         const JobContext& context,
+                         const std::optional<Sampling>& thinning = {});
 
 /// The spiral as one level set: of φ − (turn fraction), φ the mean height above the lower border in
 /// a field that follows both limits, the turn fraction a field that grows from 0 to 1 around the
@@ -31,7 +35,8 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
 /// Against generatrices it needs no points per revolution and follows the field itself; the number
 /// of revolutions is that of the mean generatrix.
 /// @param surface the part before it was refined: points go onto it
-/// @throws Error(JobFailed) as decomposeWall and planSpiral
+/// @throws Error(JobFailed) as decomposeWall and planSpiral, and with SpiralWish::refuse when
+/// heights leave the range
 SlicedLayers spiralOnField(const geometry::PartSurface& part,
                            const geometry::PartSurface& surface,
                            const WallLimits& limits,

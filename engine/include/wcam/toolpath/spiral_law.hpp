@@ -39,12 +39,16 @@ struct SpiralWish {
   double secondHeight = 0.0;  ///< mean deposit of the second zone; 0: one zone (Diourté M48)
   double secondFrom = 0.0;    ///< where it begins, mm along the mean generatrix
   int transition = 1;         ///< revolutions from one deposit to the other
+  /// A spiral on a field that cannot keep the range is an error, not a finding.
+  bool refuse = false;
 };
 
 /// One revolution: arc length on every generatrix where the bead passes, and the height it adds.
 struct SpiralTurn {
   std::vector<double> position;  ///< per generatrix, mm from the lower border
   std::vector<double> step;      ///< per generatrix, mm along it to what lies below
+  double lowest = 0.0;   ///< modulation range that this revolution promises, mm: that of its zone;
+  double highest = 0.0;  ///< 0 for ramps, which leave it on purpose
 };
 
 /// The generatrix that breaks the modulation range most.

@@ -46,6 +46,16 @@ public:
   /// (Chalvin A10). Thread-safe.
   [[nodiscard]] Height exactHeightAbove(const Vec3& p) const;
 
+  /// The nearest place of the surface on which the part stands.
+  struct Foot {
+    double distance = 0.0;           ///< mm, negative inside the substrate
+    Vec3 direction = Vec3::UnitZ();  ///< unit vector from the surface outwards, to the point
+  };
+
+  /// Of a plate the plane of its top, however far the point lies beside it; of an imported body its
+  /// surface, the exact one where it has one. Thread-safe.
+  [[nodiscard]] Foot nearest(const Vec3& p) const;
+
   /// The imported body; null for a plate.
   [[nodiscard]] const std::shared_ptr<const geometry::PartSurface>& body() const noexcept {
     return body_;
