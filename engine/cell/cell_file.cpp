@@ -85,10 +85,21 @@ void readTorch(Reader& reader, const Value& file, Cell& cell) {
     return;
   }
   const char* poseKey = cell.partCarried() ? "T_base_tcp" : "T_flange_tcp";
-  reader.knownKeys(*torch, "torch", {"name", poseKey, "neck", "collision"});
+  reader.knownKeys(*torch, "torch", {"name", poseKey, "neck", "collision", "cable"});
   cell.torchName = reader.text(*torch, "torch", "name", true);
   (cell.partCarried() ? cell.T_base_tcp : cell.T_flange_tcp) =
       reader.pose(*torch, "torch", poseKey, true);
+  const Value* cable = reader.object(*torch, "torch", "cable", false);
+  if (cable == nullptr) {
+    return;
+  }
+  if (cell.partCarried()) {
+    reader.problem("torch.cable", "belongs to a torch that the robot carries");
+    return;
+  }
+  reader.knownKeys(*cable, "torch.cable", {"limit", "zero"});
+  cell.cable = CableLimit{degToRad(reader.positive(*cable, "torch.cable", "limit", true, 1.0)),
+                          degToRad(reader.number(*cable, "torch.cable", "zero", false, 0.0))};
 }
 
 void readPositioner(Reader& reader, const Value& file, Cell& cell) {

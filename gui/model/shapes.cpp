@@ -112,9 +112,32 @@ constexpr viewport::Colour kJoint = {72, 78, 88};
 constexpr viewport::Colour kTable = {120, 130, 142};
 constexpr viewport::Colour kObstacle = {150, 140, 128};
 
-/// Origin of the next joint's frame, seen from a joint's frame: the same for all joint values.
-Vec3 nextOrigin(const cell::Joint& next) {
-  return {next.d, -std::sin(next.alpha) * next.r, std::cos(next.alpha) * next.r};
+/// Place on the axis of the next joint, seen from a joint's frame.
+Vec3 onNextAxis(const cell::Joint& next, double along) {
+  return {next.d, -std::sin(next.alpha) * along, std::cos(next.alpha) * along};
+}
+
+/// Where the origin of the next joint's frame may stand: one place of a rotary joint, a rail of a
+/// linear one, which its carriage moves along.
+struct NextOrigin {
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+};
+
+NextOrigin nextOrigin(const cell::Joint& next) {
+  if (!next.prismatic() || !std::isfinite(next.min) || !std::isfinite(next.max)) {
+    return {onNextAxis(next, next.r), onNextAxis(next, next.r)};
+  }
+  return {onNextAxis(next, next.r + next.sign * next.min),
+          onNextAxis(next, next.r + next.sign * next.max)};
+}
+
+/// Nearest point of the next joint's origins to a point.
+Vec3 nearestOrigin(const NextOrigin& origin, const Vec3& p) {
+  const Vec3 rail = origin.to - origin.from;
+  const double square = rail.squaredNorm();
+  return origin.from +
+         (square > 0.0 ? std::clamp((p - origin.from).dot(rail) / square, 0.0, 1.0) : 0.0) * rail;
 }
 
 void addLink(Body& body, const Vec3& knee, const Vec3& end, double radius) {
@@ -127,6 +150,17 @@ void addLink(Body& body, const Vec3& knee, const Vec3& end, double radius) {
   }
 }
 
+/// From a joint's frame to the next joint, with the rail of a linear one.
+void addLinkTo(Body& body, const cell::Joint& next, double radius) {
+  const NextOrigin origin = nextOrigin(next);
+  const Vec3 knee(next.d, 0, 0);
+  addLink(body, knee, nearestOrigin(origin, knee), radius);
+  if (origin.from != origin.to) {
+    body.solids.push_back(
+        {Solid::Kind::Capsule, pointOf(origin.from), pointOf(origin.to), 0.5 * radius, kRobot});
+  }
+}
+
 /// Radius of a link: thick at the base, thin at the wrist.
 double linkRadius(double reach, int joint, int joints) {
   return reach * (0.052 - 0.032 * joint / std::max(joints, 1));
@@ -134,9 +168,14 @@ double linkRadius(double reach, int joint, int joints) {
 
 void addRobot(const cell::Cell& cell, std::vector<Body>& bodies) {
   double reach = 0.0;
+  bool linear = false;
   for (const cell::Joint& joint : cell.robot.joints) {
     reach += std::abs(joint.d) + std::abs(joint.r);
+    linear = linear || joint.prismatic();
   }
+  // The lengths of a machine are strokes: these tell nothing about how thick it is.
+  constexpr double kMachine = 1500.0;  // mm
+  reach = linear ? std::max(reach, kMachine) : reach;
   const int count = cell.robotJoints();
   for (int i = 0; i < count; ++i) {
     Body body;
@@ -149,7 +188,7 @@ void addRobot(const cell::Cell& cell, std::vector<Body>& bodies) {
                            kJoint});
     if (i + 1 < count) {
       const cell::Joint& next = cell.robot.joints[static_cast<std::size_t>(i) + 1];
-      addLink(body, Vec3(next.d, 0, 0), nextOrigin(next), radius);
+      addLinkTo(body, next, radius);
     } else {
       addLink(body, Vec3::Zero(), cell.robot.T_last_tip.translation(), radius);
       if (!cell.partCarried()) {
@@ -174,7 +213,7 @@ void addPositioner(const cell::Cell& cell, std::vector<Body>& bodies) {
         {Solid::Kind::Cylinder, {0, 0, -1.5 * kRadius}, {0, 0, 0}, kRadius, kJoint});
     if (i + 1 < count) {
       const cell::Joint& next = cell.positioner.joints[static_cast<std::size_t>(i) + 1];
-      addLink(body, Vec3(next.d, 0, 0), nextOrigin(next), 0.6 * kRadius);
+      addLinkTo(body, next, 0.6 * kRadius);
     }
     bodies.push_back(std::move(body));
   }
@@ -337,8 +376,15 @@ std::vector<viewport::Body> bodiesOf(const cell::Cell& cell) {
   if (!ownRobot) {
     base.solids.push_back({Solid::Kind::Cylinder, {0, 0, 0}, {0, 0, 60}, 150.0, kJoint});
     if (!cell.robot.joints.empty()) {
-      const Vec3 first = cell.robot.T_root_first * nextOrigin(cell.robot.joints.front());
-      base.solids.push_back({Solid::Kind::Capsule, {0, 0, 30}, pointOf(first), 95.0, kRobot});
+      const NextOrigin origin = nextOrigin(cell.robot.joints.front());
+      const Pose& T = cell.robot.T_root_first;
+      const Vec3 foot(0, 0, 30);
+      const Vec3 first = T * nearestOrigin(origin, T.inverse() * foot);
+      base.solids.push_back({Solid::Kind::Capsule, pointOf(foot), pointOf(first), 95.0, kRobot});
+      if (origin.from != origin.to) {
+        base.solids.push_back(
+            {Solid::Kind::Capsule, pointOf(T * origin.from), pointOf(T * origin.to), 50.0, kRobot});
+      }
     }
   }
   bodies.push_back(std::move(base));

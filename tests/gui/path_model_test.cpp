@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/cell/kinematics.hpp"
+#include "wcam/geometry/segment_tree.hpp"
 #include "wcam/plugin/host.hpp"
 #include "wcam/project/project_file.hpp"
 
@@ -12,6 +13,7 @@
 #include "sample_path.hpp"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -188,6 +190,47 @@ TEST(Shapes, BodiesStandWhereTheKinematicsPutTheLinks) {
     if (solid.kind == viewport::Solid::Kind::Capsule) {
       const geometry::Vec3 end = poses[i] * geometry::Vec3(solid.to[0], solid.to[1], solid.to[2]);
       EXPECT_NEAR((end - poses[i + 1].translation()).norm(), 0.0, 1e-9) << "joint " << i;
+    }
+  }
+}
+
+TEST(Shapes, RailsOfLinearJointsHoldTheirCarriagesAtAllValues) {
+  for (const char* name : {"debout_5axis", "debout_7axis"}) {
+    const cell::Cell cell =
+        cell::loadCell(std::string(WCAM_RESOURCES) + "/cells/" + name + ".json");
+    const auto bodies = bodiesOf(cell);
+    const auto base = std::find_if(bodies.begin(), bodies.end(),
+                                   [](const viewport::Body& b) { return b.name == "base"; });
+    ASSERT_NE(base, bodies.end());
+    for (const double part : {0.0, 0.3, 0.8, 1.0}) {
+      cell::JointVector q = cell::JointVector::Zero(cell.jointCount());
+      for (int j = 0; j < cell.robotJoints(); ++j) {
+        const cell::Joint& joint = cell.joint(j);
+        q(j) = joint.endless ? part : joint.min + part * (joint.max - joint.min);
+      }
+      const auto poses = bodyPoses(cell, q);
+      for (int j = 0; j < cell.robotJoints(); ++j) {
+        if (!cell.joint(j).prismatic()) {
+          continue;
+        }
+        // The carriage lies on a capsule of the body before it.
+        const viewport::Body& before = j == 0 ? *base : bodies[static_cast<std::size_t>(j - 1)];
+        const geometry::Pose T_before =
+            j == 0 ? geometry::Pose::Identity() : poses[static_cast<std::size_t>(j - 1)];
+        const geometry::Vec3 at =
+            T_before.inverse() * poses[static_cast<std::size_t>(j)].translation();
+        double nearest = 1e9;
+        for (const viewport::Solid& solid : before.solids) {
+          if (solid.kind == viewport::Solid::Kind::Capsule) {
+            nearest = std::min(nearest,
+                               geometry::distanceToSegment(
+                                   at, geometry::Vec3(solid.from[0], solid.from[1], solid.from[2]),
+                                   geometry::Vec3(solid.to[0], solid.to[1], solid.to[2])));
+            EXPECT_GT(solid.radius, 1.0);
+          }
+        }
+        EXPECT_LT(nearest, 1e-6) << name << " joint " << j << " at " << part;
+      }
     }
   }
 }

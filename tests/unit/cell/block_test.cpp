@@ -7,6 +7,7 @@
 #include "cells.hpp"
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <memory>
 
 namespace wcam::cell {
@@ -84,7 +85,12 @@ TEST(InverseBlock, emptyBlockIsHarmless) {
   const Cell cell = test::fanuc();
   auto poses = std::make_unique<PoseBlock>();
   auto result = std::make_unique<JointBlock>();
+  // Nothing is asked: nothing may be written, whatever the poses hold.
+  std::memset(static_cast<void*>(poses.get()), 0xFF, sizeof(PoseBlock));
+  std::memset(static_cast<void*>(result.get()), 0x5A, sizeof(JointBlock));
+  const auto before = std::make_unique<JointBlock>(*result);
   inverseBlock(*cell.arm, *poses, 0, *result);
+  EXPECT_EQ(std::memcmp(result.get(), before.get(), sizeof(JointBlock)), 0);
 }
 
 }  // namespace

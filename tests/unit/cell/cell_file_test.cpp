@@ -53,8 +53,15 @@ TEST(CellFile, shippedCellsLoad) {
 }
 
 TEST(CellFile, printedAxesAreMadeOrthonormalWithAWarning) {
+  // As the article prints them: a sign of z is lost.
+  Value file = test::yaskawa().source;
+  file.findMutable("positioner")
+      ->findMutable("T_table_part")
+      ->set("axes", parseJson(R"({"x": [0.99999, -0.00013, 0.00015],
+                                  "y": [0.00013, 0.99999, 0.00008],
+                                  "z": [-0.00014, 0.00008, 0.99999]})"));
   JobContext context;
-  const Cell cell = test::shippedCell("yaskawa_ma1440_mt250", context);
+  const Cell cell = cellFromValue(file, "printed", context);
   ASSERT_EQ(context.diagnostics().count("cell.frame_not_orthonormal"), 1U);
   const Diagnostic diagnostic = context.diagnostics().items().front();
   EXPECT_EQ(diagnostic.severity, Severity::Warning);
@@ -69,12 +76,44 @@ TEST(CellFile, correctedSignOfTheArticleLeavesRoundingOnly) {
   Value file = test::yaskawa().source;
   file.findMutable("positioner")
       ->findMutable("T_table_part")
-      ->findMutable("axes")
-      ->set("z", Value(Value::Array{-0.00014, -0.00008, 0.99999}));
+      ->set("axes", parseJson(R"({"x": [0.99999, -0.00013, 0.00015],
+                                  "y": [0.00013, 0.99999, 0.00008],
+                                  "z": [-0.00014, -0.00008, 0.99999]})"));
   JobContext context;
-  cellFromValue(file, "fixed", context);
+  const Cell fixed = cellFromValue(file, "fixed", context);
   ASSERT_EQ(context.diagnostics().count("cell.frame_not_orthonormal"), 1U);
   EXPECT_LE(context.diagnostics().items()[0].data[0].second, 2.1e-5);
+  // Which is what the shipped file holds.
+  const Eigen::Matrix3d shipped = test::yaskawa().T_table_part.linear();
+  EXPECT_LE((fixed.T_table_part.linear() - shipped).norm(), 1e-12);
+}
+
+TEST(CellFile, shippedCellsLoadWithoutAWord) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(WCAM_RESOURCES) + "/cells")) {
+    if (entry.path().extension() == ".json") {
+      JobContext context;
+      loadCell(entry.path(), context);
+      for (const Diagnostic& finding : context.diagnostics().items()) {
+        ADD_FAILURE() << entry.path() << ": " << finding.message.str();
+      }
+    }
+  }
+}
+
+TEST(CellFile, theCableOfTheTorch) {
+  const Cell cell = test::shippedCell("fanuc_arcmate120ic");
+  ASSERT_TRUE(cell.cable);
+  EXPECT_NEAR(radToDeg(cell.cable->limit), 120.0, 1e-9);  // Chalvin A33
+  EXPECT_EQ(cell.cable->zero, 0.0);
+  Value file = fanucFile();
+  file.findMutable("torch")->set("cable", Value::object({{"limit", -3}}));
+  EXPECT_THAT(problemsOf(file), HasSubstr("torch.cable.limit: must be greater than 0"));
+  file.findMutable("torch")->remove("cable");
+  EXPECT_FALSE(cellFromValue(file, "cell test").cable);
+  Value carried = test::shippedCell("fanuc_arcmate120ic_part_carried").source;
+  carried.findMutable("torch")->set("cable", Value::object({{"limit", 120}}));
+  EXPECT_THAT(problemsOf(carried), HasSubstr("torch.cable: belongs to a torch"));
 }
 
 TEST(CellFile, sourceKeepsEverything) {

@@ -67,12 +67,7 @@ Cell cellOf(const std::string& name) {
   if (name == "five_joints") {
     return fiveJoints();
   }
-  Cell cell = shippedCell(name);
-  if (name == "debout_7axis") {
-    // The stroke of Z ends 200 mm before the axis of the table.
-    cell.T_table_part.translation() = Vec3(600, 0, 0);
-  }
-  return cell;
+  return shippedCell(name);
 }
 
 toolpath::Toolpath upright() {

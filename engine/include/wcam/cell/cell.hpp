@@ -33,6 +33,12 @@ struct JointSum {
   [[nodiscard]] double value(const JointVector& q) const;
 };
 
+/// How far the torch's cable may be twisted by axes 4 and 6 of an arm (Chalvin A33).
+struct CableLimit {
+  double limit = 0.0;  ///< of the twist from `zero` to both sides, rad
+  double zero = 0.0;   ///< J4 + J6 of the untwisted cable, rad
+};
+
 /// Where else somebody counts the robot's joints from: shown value = controller value + offset.
 /// (Carrière's scripts count the axes of the KR360 from another posture than KUKA.)
 struct ZeroConvention {
@@ -71,6 +77,7 @@ struct Cell {
   std::shared_ptr<const InverseKinematics> inverse;
 
   std::vector<JointSum> sums;
+  std::optional<CableLimit> cable;  ///< of the torch; torch carried only
   std::vector<ZeroConvention> zeroConventions;
 
   /// The same robot in the other configuration, where the file names one (its own `other` is null).
