@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 
 namespace wcam::motion {
@@ -222,6 +223,7 @@ private:
     }
     sums[Objective::Speed] += squares;
     if (worst > 1.0 && point.reachable && before.reachable) {
+      // The least loss: what the joints' speeds alone cost (see predictedLoss).
       const double slower = 1.0 - 1.0 / worst;
       sums[Objective::TcpSpeed] += slower * slower;
       if (worst > 1.0 + kSlack) {
@@ -279,6 +281,23 @@ void addCollisions(const Motion& motion, const collision::Clearance& clearance, 
   }
 }
 
+/// The loss by the prediction of time and speed, accelerations and corners included. Motions that
+/// are only compared, and not by this, are not timed for it.
+std::optional<double> predictedLoss(const Motion& motion,
+                                    const cell::Cell& cell,
+                                    const MotionParams& params,
+                                    const JobContext& context) {
+  if (motion.waypoints.back().time > 0.0) {
+    return detail::speedLoss(motion);
+  }
+  if (!(params.weightTcpSpeed > 0.0)) {
+    return std::nullopt;
+  }
+  Motion timed = motion;
+  applyTimeLaw(timed, cell, params, params.jointSpeedRatio, context.withOwnDiagnostics());
+  return detail::speedLoss(timed);
+}
+
 bool isMean(Objective objective) {
   switch (objective) {
     case Objective::Motion:
@@ -309,6 +328,24 @@ double sumExcess(const cell::JointSum& sum, const cell::JointVector& q) {
   return excess <= kSlack ? 0.0 : excess;
 }
 
+double speedLoss(const Motion& motion) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < motion.waypoints.size(); ++i) {
+    const Waypoint& point = motion.waypoints[i];
+    if (!onBead(point) || !point.reachable) {
+      continue;
+    }
+    ++count;
+    if (i > 0 && sameBead(point, motion.waypoints[i - 1]) && motion.waypoints[i - 1].reachable &&
+        point.speed > 0.0) {
+      const double slower = std::max(0.0, 1.0 - point.tcpSpeed / point.speed);
+      sum += slower * slower;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
 std::vector<float> clearanceOf(const Motion& motion, const collision::Clearance& clearance) {
   std::vector<collision::CellState> states;
   states.reserve(motion.waypoints.size());
@@ -324,9 +361,10 @@ std::vector<float> clearanceOf(const Motion& motion, const collision::Clearance&
 
 Evaluation evaluateMotion(const Motion& motion,
                           const cell::Cell& cell,
-                          const MotionParams& params,
+                          const MotionParams& given,
                           const JobContext& context,
                           const collision::Clearance* clearance) {
+  const MotionParams params = detail::withCable(given, cell);
   Evaluation result;
   if (motion.waypoints.empty()) {
     return result;
@@ -351,6 +389,10 @@ Evaluation evaluateMotion(const Motion& motion,
   }
   const ObjectiveValues weights = params.weights();
   const double points = std::max<double>(1.0, static_cast<double>(whole.points));
+  const std::optional<double> loss = predictedLoss(motion, cell, params, context);
+  if (loss) {
+    whole[Objective::TcpSpeed] = *loss * points;
+  }
   for (std::size_t k = 0; k < kObjectiveCount; ++k) {
     const double scale = isMean(static_cast<Objective>(k)) ? 1.0 / points : 1.0;
     result.objectives[k] = whole.sums[k] * scale;

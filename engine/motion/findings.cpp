@@ -335,7 +335,7 @@ private:
           {{"angle_deg", radToDeg(vertical_.value)}});
     }
     if (tilt_.count > 0) {
-      put(context, Severity::Warning, "motion.tilt",
+      put(context, Severity::Violation, "motion.tilt",
           text("the torch leans by up to %1 from the path's tool axis at %2; allowed are %3",
                {degText(tilt_.value), points(tilt_.count), degText(params_.tiltTolerance.value())}),
           "raise tilt_tolerance if the process bears it, or choose another redundancy mode", tilt_,

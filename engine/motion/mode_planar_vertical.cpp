@@ -15,6 +15,9 @@ namespace {
 /// Cosine of the largest lean that lead and lateral tilt take back: beyond it a vertical torch
 /// would point along the layer.
 constexpr double kLeastCosine = 0.1;
+/// A lean that no robot's accuracy tells from none: part frames are measured to some hundredths of
+/// a degree, and the tolerance of the tilt is none by default.
+const double kUpright = degToRad(0.1);
 
 /// Lead and lateral tilt that make the tool axis vertical: the remaining lead or lag that the
 /// article accepts.
@@ -31,8 +34,12 @@ void standUpright(const Cell& cell, const Target& target, FreeChoice& choice) {
   const Vec3 lateral = tiltedAxis(target, 0.0, degToRad(45.0));
   const Vec3 e1 = (lead - target.axis * target.axis.dot(lead)).normalized();
   const Vec3 e2 = (lateral - target.axis * target.axis.dot(lateral)).normalized();
-  choice.lead = std::atan(vertical.dot(e1) / along);
-  choice.lateral = std::atan(vertical.dot(e2) / along);
+  const double ahead = vertical.dot(e1) / along;
+  const double across = vertical.dot(e2) / along;
+  if (std::hypot(ahead, across) > std::tan(kUpright)) {
+    choice.lead = std::atan(ahead);
+    choice.lateral = std::atan(across);
+  }
 }
 
 }  // namespace

@@ -19,8 +19,9 @@ constexpr double kSampleStep = 2.0 * kPi / kSamples;
 /// Steps of the golden section after the samples: the interval of two samples shrinks to 1e-4 of
 /// it.
 constexpr int kGoldenSteps = 20;
-/// Cost of a radian beyond a limit, of a missing unit of dexterity and of an unreachable point: far
-/// above any weighted step (180°²/stroke is some hundred).
+/// Cost of a radian beyond a limit (of joints, their sums and the cable), of a missing unit of
+/// dexterity and of an unreachable point: far above any weighted step (180°²/stroke is some
+/// hundred).
 constexpr double kBeyondCost = 1e6;
 constexpr std::size_t kCheckEvery = 64;
 
@@ -58,6 +59,14 @@ public:
         const double step = model_.inUnit(j, q(j) - (*previous)(j));
         cost += model_.motionWeight(j) * step * step;
       }
+    }
+    for (const cell::JointSum& sum : cell.sums) {
+      cost += kBeyondCost * model_.asAngle(CellModel::firstOf(sum), sumExcess(sum, q));
+    }
+    const double limit = task_.params.cableLimit.value();
+    if (limit > 0.0) {
+      const double twist = std::abs(model_.cableTwist(q, task_.params.cableZero.value()));
+      cost += kBeyondCost * std::max(0.0, twist - limit);
     }
     const double missing = task_.params.minDexterity - model_.armState(q).dexterity;
     return missing > 0.0 ? cost + kBeyondCost * missing : cost;

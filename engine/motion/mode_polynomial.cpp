@@ -81,7 +81,8 @@ public:
   struct State {
     double cost = std::numeric_limits<double>::infinity();  ///< Φ and penalties
     double motion = 0.0;                                    ///< Φ
-    double margin = 0.0;  ///< least relative distance to a limit or to the least dexterity
+    double margin = 0.0;  ///< least relative distance to a limit (joints, sums, cable) or to the
+                          ///< least dexterity
     Normal normal;
     Coefficients gradient;
   };
@@ -175,25 +176,55 @@ private:
                  const Rows& rows,
                  bool derivatives,
                  State& state) const {
+    const Cell& cell = task_.cell;
     for (int j = 0; j < 6; ++j) {
-      const cell::Joint& joint = task_.cell.joint(j);
-      if (joint.endless) {
-        continue;
+      const cell::Joint& joint = cell.joint(j);
+      if (!joint.endless) {
+        addLimit({joint.min, joint.max, q(j), model_.inUnit(j, 1.0)}, rows.row(j).transpose(),
+                 derivatives, state);
       }
-      const double range = joint.max - joint.min;
-      state.margin = std::min(state.margin, cell::limitMargin(joint, q(j)) / range);
-      const double inner = kLimitMargin * range;
-      const double over =
-          model_.inUnit(j, std::max({joint.min + inner - q(j), q(j) - joint.max + inner, 0.0}));
-      if (over > 0.0) {
-        state.cost += kLimitWeight * over * over;
-        if (derivatives) {
-          const double sign = q(j) > 0.5 * (joint.min + joint.max) ? 1.0 : -1.0;
-          const Coefficients row = sign * model_.inUnit(j, 1.0) * rows.row(j).transpose();
-          state.normal += kLimitWeight * row * row.transpose();
-          state.gradient += kLimitWeight * over * row;
-        }
+    }
+    for (const cell::JointSum& sum : cell.sums) {
+      Coefficients row = Coefficients::Zero(rows.cols());
+      for (int j = 0; j < 6; ++j) {
+        row += sum.factors[static_cast<std::size_t>(j)] * rows.row(j).transpose();
       }
+      addLimit({sum.min, sum.max, sum.value(q), model_.inUnit(CellModel::firstOf(sum), 1.0)}, row,
+               derivatives, state);
+    }
+    const double twist = task_.params.cableLimit.value();
+    if (twist > 0.0 && cell.arm) {
+      addLimit({-twist, twist, model_.cableTwist(q, task_.params.cableZero.value()),
+                model_.inUnit(3, 1.0)},
+               rows.row(3).transpose() + model_.cableSign() * rows.row(5).transpose(), derivatives,
+               state);
+    }
+  }
+
+  /// A value that must stay between two bounds, in a unit that counts as a degree.
+  struct Limited {
+    double min = 0.0, max = 0.0, value = 0.0, unit = 1.0;
+  };
+
+  static void addLimit(const Limited& own,
+                       const Coefficients& slope,
+                       bool derivatives,
+                       State& state) {
+    const double range = own.max - own.min;
+    state.margin =
+        std::min(state.margin, std::min(own.value - own.min, own.max - own.value) / range);
+    const double inner = kLimitMargin * range;
+    const double over =
+        own.unit * std::max({own.min + inner - own.value, own.value - own.max + inner, 0.0});
+    if (over <= 0.0) {
+      return;
+    }
+    state.cost += kLimitWeight * over * over;
+    if (derivatives) {
+      const double sign = own.value > 0.5 * (own.min + own.max) ? 1.0 : -1.0;
+      const Coefficients row = sign * own.unit * slope;
+      state.normal += kLimitWeight * row * row.transpose();
+      state.gradient += kLimitWeight * over * row;
     }
   }
 

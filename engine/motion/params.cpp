@@ -60,7 +60,8 @@ void addRedundancy(Schema<MotionParams>& schema) {
       .add(&MotionParams::tiltTolerance,
            {.key = "tilt_tolerance",
             .label = "Tolerance of lead and lateral tilt",
-            .help = "How far the tool axis may lean from the toolpath's.",
+            .help = "How far the tool axis may lean from the toolpath's. The mode planar_vertical "
+                    "leans it until it is vertical; more than this is a violation.",
             .group = "Redundancy",
             .level = ParamLevel::Advanced,
             .min = 0,
@@ -69,14 +70,16 @@ void addRedundancy(Schema<MotionParams>& schema) {
            {.key = "cable_limit",
             .label = "Limit of the cable's twist",
             .help =
-                "Of |J4 + J6|, from the untwisted cable's value; 0 is no limit. 120 deg is usual "
-                "for torch cables (Chalvin A33).",
+                "Of |J4 + J6|, from the untwisted cable's value; 0 takes the limit and the zero of "
+                "the cell file, if it has them. 120 deg is usual for torch cables (Chalvin A33); "
+                "a large value lifts the limit.",
             .group = "Redundancy",
             .min = 0,
-            .max = 180})
+            .max = 3600})
       .add(&MotionParams::cableZero, {.key = "cable_zero",
                                       .label = "Untwisted cable",
-                                      .help = "J4 + J6 where the cable is not twisted.",
+                                      .help = "J4 + J6 where the cable is not twisted; counts "
+                                              "with a cable_limit of its own.",
                                       .group = "Redundancy",
                                       .level = ParamLevel::Advanced,
                                       .min = -360,
@@ -127,7 +130,7 @@ void addWeights(Schema<MotionParams>& schema) {
   add(&MotionParams::weightUncertainty, "weight_uncertainty", "Weight of positioning uncertainty",
       "Mean square in micrometres (Chalvin A34).");
   add(&MotionParams::weightTcpSpeed, "weight_tcp_speed", "Weight of constant TCP speed",
-      "Mean of (1 - predicted over wanted speed) squared.");
+      "Mean of (1 - predicted over wanted speed) squared, by the prediction of time and speed.");
 }
 
 void addTorch(Schema<MotionParams>& schema) {
@@ -306,6 +309,15 @@ void MotionParams::setWeights(const ObjectiveValues& weights) {
   for (std::size_t k = 0; k < kObjectiveCount; ++k) {
     this->*kWeightFields[k] = weights[k];
   }
+}
+
+MotionParams detail::withCable(const MotionParams& params, const Cell& cell) {
+  MotionParams result = params;
+  if (!(params.cableLimit.value() > 0.0) && cell.cable) {
+    result.cableLimit = Angle(cell.cable->limit);
+    result.cableZero = Angle(cell.cable->zero);
+  }
+  return result;
 }
 
 const Schema<MotionParams>& MotionParams::schema() {

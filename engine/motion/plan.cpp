@@ -72,6 +72,8 @@ void fillStatistics(const cell::Cell& cell,
   statistics.branch = branchNames(cell, chosen.resolution.branches);
   statistics.mode = redundancyKey(chosen.mode);
   statistics.evaluation = chosen.evaluation;
+  statistics.evaluation.objectives[static_cast<std::size_t>(Objective::TcpSpeed)] =
+      detail::speedLoss(planned.motion);
   const detail::CellModel model(cell);
   for (const Waypoint& point : planned.motion.waypoints) {
     statistics.maxVerticalError = std::max(statistics.maxVerticalError, point.verticalError);
@@ -97,10 +99,11 @@ void detail::checkBranch(const cell::Cell& cell, const MotionParams& params, con
 
 PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
-                         const MotionParams& params,
+                         const MotionParams& given,
                          const std::string& operationId,
                          const JobContext& context,
                          const collision::Clearance* clearance) {
+  const MotionParams params = detail::withCable(given, cell);
   detail::checkBranch(cell, params, text("cell %1, operation %2", {cell.name, operationId}));
   PlannedMotion planned;
   std::vector<detail::Target> targets = detail::makeTargets(path, params, context);
@@ -109,15 +112,13 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
   }
   detail::Runs runs = detail::findRuns(targets);
   std::vector<detail::Positioning> aligned = alignments(cell, targets, context);
-  std::vector<detail::Positioning> references;
-  if (params.mode == RedundancyMode::Optimized) {
-    references = detail::slowerReferences(cell, params, targets, runs, aligned[0], context);
-    if (references.empty()) {
-      references = aligned;
-    }
+  // In every mode: what gravity asks for must not turn the table over where nothing is gained.
+  std::vector<detail::Positioning> slower =
+      detail::slowerReferences(cell, params, targets, runs, aligned[0], context);
+  if (!slower.empty()) {
+    aligned = std::move(slower);
   }
-  const detail::Task task{
-      cell, params, std::move(targets), std::move(runs), std::move(aligned), std::move(references)};
+  const detail::Task task{cell, params, std::move(targets), std::move(runs), aligned, aligned};
   context.report(0.1);
   const JobContext planning = context.portion(0.1, 0.8);
   detail::Candidate chosen =
@@ -134,8 +135,8 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
   context.report(0.95);
   planned.statistics = motionStatistics(planned.motion, cell, context);
   planned.statistics.reversals = jointReversals(planned.motion, cell);
-  detail::reportSpeeds(cell, planned.motion, params, operationId, planned.statistics.reversals,
-                       context);
+  detail::reportSpeeds(cell, planned.motion, path, params, operationId,
+                       planned.statistics.reversals, context);
   fillStatistics(cell, params, chosen, planned);
   context.report(1.0);
   return planned;

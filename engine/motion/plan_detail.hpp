@@ -82,17 +82,20 @@ Positioning positionPart(const Cell& cell,
 /// carries the part.
 double verticalError(const Cell& cell, const Vec3& up, const PositionerValues& positioner);
 
+/// The parameters with the cable limit of the cell where they give none.
+MotionParams withCable(const MotionParams& params, const Cell& cell);
+
 /// What all modes work on.
 struct Task {
   const Cell& cell;
   const MotionParams& params;
   std::vector<Target> targets;
   Runs runs;
-  /// Gravity-aligned references: two where the positioner has two ways, else one; [0] also when the
-  /// robot carries the part (all zero).
+  /// Gravity-aligned positions: two where the positioner has two ways, else one; [0] also when the
+  /// robot carries the part (all zero). Where exact ones turn the table faster than it can, or over
+  /// for nothing, slower ones within the vertical tolerance (table_reference.hpp).
   std::vector<Positioning> aligned;
-  /// What the search and the refinement start from: `aligned`, or where those turn the table faster
-  /// than it can, slower ones within the vertical tolerance (table_reference.hpp).
+  /// What the search and the refinement start from.
   std::vector<Positioning> references;
 };
 
@@ -201,9 +204,15 @@ std::vector<JointBounds> jointBounds(const Cell& cell, const TimeLawParams& para
 /// True where the torch comes to rest at a waypoint: ends, joint moves, arc on and off.
 bool stopsAfter(const Motion& motion, std::size_t i);
 
-/// Dips and peaks of the predicted speed and reversals of joints, per bead.
+/// Objective::TcpSpeed of a motion whose times are known: the mean over the points of beads.
+double speedLoss(const Motion& motion);
+
+/// Where the torch crawls, dips and peaks of the predicted speed, and reversals of joints, per
+/// bead.
+/// @param path of the motion: how wide the beads are
 void reportSpeeds(const Cell& cell,
                   const Motion& motion,
+                  const toolpath::Toolpath& path,
                   const MotionParams& params,
                   const std::string& operationId,
                   const std::vector<Reversal>& reversals,

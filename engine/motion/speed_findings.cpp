@@ -53,6 +53,67 @@ struct BeadSpeeds {
   std::vector<std::size_t> waypoint;
 };
 
+/// Beads of a path without a process are as wide as its default, mm.
+constexpr double kUnknownWidth = 8.0;
+
+/// The stretch of a bead on which the torch loses most time.
+struct Crawl {
+  std::size_t waypoint = 0;  ///< the slowest of the stretch
+  double length = 0.0;       ///< mm
+  double time = 0.0;         ///< s
+  double wanted = 0.0;       ///< s at the wanted speed
+  double excess = 0.0;       ///< s beyond what the minimum speed allows
+};
+
+/// Looks at all stretches of a bead that are as long as it is wide. A shorter slow-down, as at ends
+/// and corners, melts into one pool with what is beside it; there counts how much time it takes
+/// against a stretch of that length, so that a halt is found however short its way is.
+Crawl worstCrawl(const std::vector<Waypoint>& points,
+                 const std::vector<std::size_t>& bead,
+                 double width,
+                 double minRatio) {
+  std::vector<double> length{0.0};
+  std::vector<double> wanted{0.0};
+  std::vector<double> time{0.0};
+  for (const std::size_t i : bead) {
+    const double way =
+        (points[i].T_part_tcp.translation() - points[i - 1].T_part_tcp.translation()).norm();
+    length.push_back(length.back() + way);
+    wanted.push_back(wanted.back() + way / points[i].speed);
+    time.push_back(time.back() + points[i].time - points[i - 1].time);
+  }
+  Crawl worst;
+  std::size_t begin = 0;
+  for (std::size_t end = 1; end < length.size(); ++end) {
+    while (begin + 1 < end && length[end] - length[begin + 1] >= width) {
+      ++begin;
+    }
+    const double own = wanted[end] - wanted[begin];
+    const double taken = time[end] - time[begin];
+    const double pool = std::max(own, width / points[bead[end - 1]].speed);
+    const double excess = taken - own - pool * (1.0 / minRatio - 1.0);
+    if (excess > worst.excess) {
+      worst = {bead[end - 1], length[end] - length[begin], taken, own, excess};
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::size_t i = bead[k];
+        worst.waypoint = points[i].tcpSpeed < points[worst.waypoint].tcpSpeed ? i : worst.waypoint;
+      }
+    }
+  }
+  return worst;
+}
+
+double widthOf(const toolpath::Toolpath& path, const Waypoint& point) {
+  if (point.layer < 0 || point.bead < 0 || point.point < 0) {
+    return kUnknownWidth;
+  }
+  const double width = path.layers[static_cast<std::size_t>(point.layer)]
+                           .beads[static_cast<std::size_t>(point.bead)]
+                           .points[static_cast<std::size_t>(point.point)]
+                           .width;
+  return width > 0.0 ? width : kUnknownWidth;
+}
+
 class Reporter {
 public:
   Reporter(const Cell& cell,
@@ -91,6 +152,39 @@ public:
     if (peak != nullptr) {
       report(*peak, speeds.waypoint[peak->index], peaks);
     }
+  }
+
+  void crawl(const BeadSpeeds& speeds, double width) const {
+    const Crawl worst =
+        worstCrawl(motion_.waypoints, speeds.waypoint, width, params_.minSpeedRatio);
+    if (!(worst.excess > 0.0)) {
+      return;
+    }
+    const Waypoint& point = motion_.waypoints[worst.waypoint];
+    const Limiter limiter = limiterAt(motion_, bounds_, worst.waypoint);
+    const double mean = worst.length / worst.time;
+    const double ratio = worst.wanted / worst.time;
+    context_.add(
+        {Severity::Violation,
+         "motion.too_slow",
+         text(limiter.joint < 0
+                  ? "the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted "
+                    "speed, and %5 mm/s at the slowest point"
+                  : "the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted "
+                    "speed, and %5 mm/s at the slowest point; nearest to its limit is joint %6",
+              {formatFixed(worst.time, 2), formatFixed(worst.length, 1), formatFixed(mean, 2),
+               formatFixed(ratio * 100.0, 1), formatFixed(point.tcpSpeed, 2),
+               limiter.joint < 0 ? std::string() : cell_.joint(limiter.joint).name}),
+         "use the mode optimized, smooth the path (axis_rate bounds the turn of its build "
+         "direction), raise vertical_tolerance or lower the travel speed; lower min_speed_ratio "
+         "only where the process bears it",
+         {operation_, point.layer, point.bead, point.point},
+         {{"speed_mm_s", point.tcpSpeed},
+          {"mean_speed_mm_s", mean},
+          {"speed_ratio", ratio},
+          {"length_mm", worst.length},
+          {"time_s", worst.time},
+          {"joint", limiter.joint + 1.0}}});
   }
 
   void reversals(const std::vector<Reversal>& all) const {
@@ -161,6 +255,7 @@ private:
 
 void reportSpeeds(const Cell& cell,
                   const Motion& motion,
+                  const toolpath::Toolpath& path,
                   const MotionParams& params,
                   const std::string& operationId,
                   const std::vector<Reversal>& reversals,
@@ -182,6 +277,7 @@ void reportSpeeds(const Cell& cell,
                       points[i + 1].bead != point.bead || points[i + 1].layer != point.layer;
     if (ends && !speeds.ratio.empty()) {
       reporter.bead(speeds);
+      reporter.crawl(speeds, widthOf(path, point));
       speeds = {};
     }
   }

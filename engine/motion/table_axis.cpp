@@ -57,6 +57,11 @@ std::optional<double> TableAxis::azimuthOfPoint(const Vec3& point) const {
   return azimuth(cell_.T_table_part * point - origin_);
 }
 
+double TableAxis::angleTo(const Vec3& direction) const {
+  const Vec3 inTable = cell_.T_table_part.linear() * direction;
+  return std::atan2(axis_.cross(inTable).norm(), std::abs(axis_.dot(inTable)));
+}
+
 double TableAxis::turnOf(const PositionerValues& values) const {
   const cell::Joint& joint = cell_.positioner.joints[last_];
   double turn = joint.sign * values[last_];

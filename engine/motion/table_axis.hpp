@@ -20,6 +20,9 @@ public:
   [[nodiscard]] std::optional<double> azimuthOf(const Vec3& direction) const;
   [[nodiscard]] std::optional<double> azimuthOfPoint(const Vec3& point) const;
 
+  /// Angle between a direction of the part and the table's axis as a line, 0 to π/2.
+  [[nodiscard]] double angleTo(const Vec3& direction) const;
+
   /// Values of the positioner with the table at `turn` (physical angle from zero, any turn) and a
   /// tilting axis where `up` is as near to the vertical as it can; continuous from `previous`.
   [[nodiscard]] PositionerValues values(double turn,

@@ -11,6 +11,7 @@
 #include "taut_string.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -40,7 +41,8 @@ struct Freedom {
   double halfTurns;
 };
 
-constexpr Freedom kFreedoms[] = {{0.3, 1.0}, {0.6, 1.0}, {0.9, 1.0}, {0.9, 4.0}, {0.97, 4.0}};
+constexpr std::array<Freedom, 5> kFreedoms = {
+    {{0.3, 1.0}, {0.6, 1.0}, {0.9, 1.0}, {0.9, 4.0}, {0.97, 4.0}}};
 
 /// Targets on beads in order, with the times at the wanted speeds.
 struct Line {
@@ -101,8 +103,10 @@ public:
           const MotionParams& params,
           const std::vector<Target>& targets,
           const Runs& runs,
+          const Positioning& aligned,
           const JobContext& context)
       : targets_(targets),
+        aligned_(aligned),
         context_(context),
         arcs_(cell, params),
         tilt_(cell.joint(cell.robotJoints())),
@@ -130,10 +134,21 @@ public:
   [[nodiscard]] const Line& line() const { return line_; }
 
 private:
-  /// Steps of the line at which an exact solution is too fast.
+  /// Steps of the line at which an exact solution is too fast, or turns the table over although the
+  /// build direction keeps so near to its axis that it need not turn at all.
   bool findFast() {
     fast_.assign(line_.targets.size(), 0);
+    anyTurn_.assign(line_.targets.size(), 0);
     bool any = false;
+    for (std::size_t k = 0; k < fast_.size(); ++k) {
+      const std::size_t target = line_.targets[k];
+      anyTurn_[k] = arcs_.anyTurn(targets_[target].up, kFreedoms.back().part) ? 1 : 0;
+      if (k > 0 && anyTurn_[k] != 0 && anyTurn_[k - 1] != 0) {
+        const double turn = aligned_.joints[target][1] - aligned_.joints[line_.targets[k - 1]][1];
+        fast_[k] = std::abs(turn) > kTurnSample ? 1 : 0;
+        any = any || fast_[k] != 0;
+      }
+    }
     std::array<double, 2> before{};
     std::array<double, 2> tiltBefore{};
     for (std::size_t k = 0; k < fast_.size(); ++k) {
@@ -169,6 +184,8 @@ private:
     for (std::size_t k = fast_.size(); k-- > 0;) {
       result[k] = until <= window || fast_[k] != 0 ? freedom.part : result[k];
       until = fast_[k] != 0 ? line_.step[k] : until + line_.step[k];
+      // Where the table may stand anyhow it rests.
+      result[k] = anyTurn_[k] != 0 ? kFreedoms.back().part : result[k];
     }
     return result;
   }
@@ -344,6 +361,7 @@ private:
   static constexpr double kForbidden = 1e30;
 
   const std::vector<Target>& targets_;
+  const Positioning& aligned_;
   const JobContext& context_;
   TableArcs arcs_;
   Tilt tilt_;
@@ -351,6 +369,7 @@ private:
   double speed_;
   bool endless_;
   std::vector<char> fast_;
+  std::vector<char> anyTurn_;  ///< the table may stand at any turn
 };
 
 }  // namespace
@@ -371,7 +390,7 @@ std::vector<Positioning> slowerReferences(const Cell& cell,
       return references;
     }
   }
-  Planner planner(cell, params, targets, runs, context);
+  Planner planner(cell, params, targets, runs, aligned, context);
   const TableAxis table(cell);
   for (const std::vector<double>& way : planner.plan()) {
     Positioning reference;

@@ -17,12 +17,13 @@ namespace wcam::motion::detail {
 /// the way with the least square of the table's speed is chosen over the whole operation (dynamic
 /// programming over samples of the arcs) and pulled taut (taut_string.hpp). Exact everywhere but
 /// near the steps that would be too fast; there it leans by a part of the vertical tolerance, the
-/// smallest of a few that suffices.
+/// smallest of a few that suffices. Where the direction leans so little from the table's axis that
+/// every turn will do, the table rests, in travel moves as well.
 ///
 /// @param aligned exact references, for the least lean of each target
 /// @returns up to two references that start a half turn apart, or none where the exact ones are
-/// slow enough, where the cell has no two rotary axes or the second is coupled to the first, or
-/// where a limited last axis finds no way
+/// slow enough and never turn over there, where the cell has no two rotary axes or the second is
+/// coupled to the first, or where a limited last axis finds no way
 std::vector<Positioning> slowerReferences(const Cell& cell,
                                           const MotionParams& params,
                                           const std::vector<Target>& targets,

@@ -52,6 +52,16 @@ void addTimeLaw(Schema<MotionParams>& schema) {
             .min = 0.001,
             .max = 1},
            ParamType::Real, QuantityKind::Ratio)
+      .add(field(&TimeLawParams::minSpeedRatio),
+           {.key = "min_speed_ratio",
+            .label = "Minimum speed",
+            .help = "Part of the wanted speed below which the torch must not fall with the arc on, "
+                    "as a mean over a bead's width: what passes within that, as the slow-down at "
+                    "ends and corners, melts into one pool. Below is a violation.",
+            .group = "Speed prediction",
+            .min = 0.01,
+            .max = 1},
+           ParamType::Real, QuantityKind::Ratio)
       .add(field(&TimeLawParams::wireFollowsSpeed),
            {.key = "wire_follows_speed",
             .label = "Wire feed follows the speed",

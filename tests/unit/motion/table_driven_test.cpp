@@ -210,7 +210,16 @@ TEST(TableDriven, abruptChangeOfDirectionDipsAndNeverPeaks) {
     }
   }
   EXPECT_LE(most, 1.001 * kSpeed);
+  // It dips, and says so at the corner.
   EXPECT_GT(least, 0.0);
+  EXPECT_LT(least, 0.9 * kSpeed);
+  ASSERT_EQ(context.diagnostics().count("motion.speed_dip"), 1U);
+  for (const Diagnostic& finding : context.diagnostics().items()) {
+    if (finding.code == "motion.speed_dip") {
+      EXPECT_NEAR(finding.place.point, 50, 1);
+      EXPECT_NEAR(finding.data[0].second, least, 1e-9);
+    }
+  }
 }
 
 }  // namespace

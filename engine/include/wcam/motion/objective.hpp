@@ -25,7 +25,8 @@ enum class Objective {
   Dexterity,     ///< mean of (1 − dexterity)², dexterity as Chalvin Eq. 1.8, linear block
   Limits,        ///< mean of Σ_j ((q − middle)/(half the stroke))² (Liegeois, Chalvin Eq. 1.4)
   Uncertainty,   ///< mean of I² = trace(J·diag(σ²)·Jᵀ), µm² (Chalvin A34 corrected)
-  TcpSpeed       ///< mean of (1 − predicted/wanted TCP speed)²
+  TcpSpeed  ///< mean of (1 − predicted/wanted TCP speed)²; by the speeds of joints alone in a
+            ///< motion without times whose cost does not depend on it
 };
 
 inline constexpr std::size_t kObjectiveCount = 12;

@@ -70,7 +70,7 @@ struct MotionParams : TimeLawParams {
   Angle tableAngle{};  ///< rest of Fixed, start of Homogeneous, azimuth α of the others
   Angle tableTurn{degToRad(360.0)};  ///< of Homogeneous, per bead
   Angle tiltTolerance{};             ///< lead and lateral tilt that may be added to the tool axis
-  Angle cableLimit{};                ///< of |J4 + J6|; 0: no limit
+  Angle cableLimit{};                ///< of |J4 + J6|; 0: that of the cell
   Angle cableZero{};                 ///< J4 + J6 of the untwisted cable
   Angle jointResolution{degToRad(1e-4)};  ///< σ of joints whose resolution the cell does not tell
   double weightMotion = 1.0;
@@ -111,10 +111,11 @@ ObjectiveValues ownObjective(RedundancyMode mode);
 /// with the weights of the parameters than that of any other mode. Where no motion keeps all
 /// constraints the least bad one is given, and the findings tell what is broken.
 ///
-/// Findings: motion.unreachable, motion.joint_limit (violations), motion.singularity,
-/// motion.joint_step, motion.speed_limited, motion.low_dexterity, motion.not_vertical,
-/// motion.cable_twist, motion.tilt (warnings), motion.configuration_change (information: full turns
-/// taken back between beads). One per bead and cause, with the worst value and number of points.
+/// Findings: motion.unreachable, motion.joint_limit, motion.tilt, motion.too_slow (violations),
+/// motion.singularity, motion.joint_step, motion.speed_limited, motion.low_dexterity,
+/// motion.not_vertical, motion.cable_twist (warnings), motion.configuration_change (information:
+/// full turns taken back between beads). One per bead and cause, with the worst value and number of
+/// points.
 ///
 /// Any robot (Cell::inverse). One that cannot turn about the tool axis takes the rotation that goes
 /// with its joints; one without a closed form is followed from point to point, without graph
