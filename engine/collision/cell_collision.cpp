@@ -263,6 +263,15 @@ struct CellCollision::Impl {
     return least - safety;
   }
 
+  /// @param bound from the grids: how deep deep solids overlap, FCL only guesses
+  [[nodiscard]] detail::ExactDistance pairDistance(const Placed& placed,
+                                                   const Pair& pair,
+                                                   float bound) const {
+    detail::ExactDistance found = pairDistance(placed, pair);
+    found.value = std::max(found.value, static_cast<double>(bound) - kTouch);
+    return found;
+  }
+
   [[nodiscard]] detail::ExactDistance pairDistance(const Placed& placed, const Pair& pair) const {
     const Item& a = scene.items()[static_cast<std::size_t>(pair.spheres)];
     const Item& b = scene.items()[static_cast<std::size_t>(pair.field)];
@@ -379,8 +388,9 @@ struct CellCollision::Impl {
     for (const Pair& pair : of.pairs) {
       const float known = static_cast<float>(least);
       const float bound = boundOf(placed, pair, known);
-      least = std::min(least, bound < std::min(known, wanted) ? pairDistance(placed, pair).value
-                                                              : static_cast<double>(bound));
+      least =
+          std::min(least, bound < std::min(known, wanted) ? pairDistance(placed, pair, bound).value
+                                                          : static_cast<double>(bound));
     }
     // Rounded down: what is just free by rounding is not called free.
     return static_cast<float>(least - safety - kTouch);
@@ -422,10 +432,11 @@ struct CellCollision::Impl {
       }
     }
     for (const Pair& pair : of.pairs) {
-      if (boundOf(placed, pair, limit) >= limit) {
+      const float bound = boundOf(placed, pair, limit);
+      if (bound >= limit) {
         continue;
       }
-      const auto found = pairDistance(placed, pair);
+      const auto found = pairDistance(placed, pair, bound);
       if (found.value < within) {
         // The torch first, the substrate last.
         const int low = std::min(pair.spheres, pair.field);

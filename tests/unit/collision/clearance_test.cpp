@@ -15,6 +15,8 @@ namespace {
 
 /// Where distances are smaller than this, mm, rounding decides and FCL's own answers vary.
 constexpr double kUndecided = 1e-3;
+/// Overlaps up to this depth are exact, mm.
+constexpr double kShallow = 10.0;
 /// GJK ends within this of the distance of separate shapes, mm.
 constexpr double kFclDistance = 1e-2;
 
@@ -41,8 +43,8 @@ std::vector<CellState> anywhere(const cell::Cell& cell,
 class WholeCell : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(WholeCell, ANearPairNeverHidesOneThatOverlaps) {
-  constexpr std::size_t kNear = 600;
-  constexpr std::size_t kAnywhere = 900;
+  constexpr std::size_t kNear = 400;
+  constexpr std::size_t kAnywhere = 600;
   const std::uint64_t seed = wcam::testing::testSeeds(1).front();
   SCOPED_TRACE("seed " + std::to_string(seed));
   const cell::Cell cell = shippedCell(GetParam());
@@ -74,7 +76,9 @@ TEST_P(WholeCell, ANearPairNeverHidesOneThatOverlaps) {
         EXPECT_EQ(hit, distance < 0.0) << "state " << i << ": " << what << ", " << distance;
       }
       if (worst < safety) {
-        EXPECT_NEAR(distance, worst, 1e-4 + 1e-6 * std::abs(worst)) << "state " << i;
+        // How deep solids overlap that are nearly one within the other is bounded, not known.
+        const double depth = worst < -kShallow ? 0.05 * std::abs(worst) : 0.0;
+        EXPECT_NEAR(distance, worst, 1e-4 + depth) << "state " << i;
       } else {
         EXPECT_GE(clearance[i], -1e-3F) << "state " << i;
       }
