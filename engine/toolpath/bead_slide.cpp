@@ -25,6 +25,8 @@ constexpr double kSteepest = 4.0;
 constexpr int kSteps = 8;
 /// They end when they are this small against the half width.
 constexpr double kNear = 1e-9;
+/// A bead that is farther from the substrate than this many layer heights does not stand on it.
+constexpr double kStands = 2.0;
 
 /// How far a place of a wall slides, and along which direction.
 struct Slide {
@@ -118,7 +120,8 @@ public:
         }
         for (std::size_t i = 0; i < strand.points.size(); ++i) {
           const double own = contour.points[begins[k] + i].width;
-          slide(strand, i, 0.5 * sign_ * (own > 0.0 ? own : width_), k > 0 ? before : below);
+          slide(strand, i, 0.5 * sign_ * (own > 0.0 ? own : width_), layer.nominalHeight,
+                k > 0 ? before : below);
         }
         strands.push_back(std::move(strand));
       }
@@ -127,7 +130,8 @@ public:
   }
 
 private:
-  void slide(Strand& strand, std::size_t i, double offset, const SlideMap& below) const {
+  void slide(
+      Strand& strand, std::size_t i, double offset, double height, const SlideMap& below) const {
     const Vec3& p = strand.points[i];
     Slide& slide = strand.slides[i];
     const Substrate::Foot foot = substrate_.nearest(p);
@@ -135,7 +139,12 @@ private:
     const double toPath =
         below.empty() ? std::numeric_limits<double>::infinity() : below.distance(p);
     // As the distances are measured (build.cpp): what is met first against the build direction.
-    if (!(descent > 0.0 && foot.distance < descent * toPath)) {
+    // What hangs far above it has no height that could be kept.
+    const bool stands = foot.distance <= kStands * height;
+    if (!stands && below.empty()) {
+      return;
+    }
+    if (!(stands && descent > 0.0 && foot.distance < descent * toPath)) {
       slide.way = below.empty() ? 0.0 : below.at(p).way;
       return;
     }

@@ -93,7 +93,8 @@ TEST(LayerDistance, OnASlopeTheFirstLayerIsAsFarAsThePerpendicular) {
   }
   SlicedLayers sliced{{test::layerOf(2.0, {contour})}};
   sliced.curved = true;
-  for (const PathPoint& point : build(sliced, substrate).layers[0].beads[0].points) {
+  const Toolpath path = build(sliced, substrate);
+  for (const PathPoint& point : path.layers[0].beads[0].points) {
     EXPECT_NEAR(point.distance, 2.0 * std::cos(slope), 1e-9);
   }
 }
@@ -136,10 +137,10 @@ TEST(BeadReference, OnALeaningWallTheFirstLayerKeepsItsHeightAndTheOthersTheStep
         const double radius = 50.0 + way * std::sin(lean) + sign * 3.0 / std::cos(lean);
         ASSERT_EQ(path.layers[l].beads.size(), 1U);
         for (const PathPoint& point : path.layers[l].beads[0].points) {
-          EXPECT_NEAR(point.p.z(), way * std::cos(lean), 1e-6) << "layer " << l;
-          EXPECT_NEAR(std::hypot(point.p.x(), point.p.y()), radius, 1e-6) << "layer " << l;
+          EXPECT_NEAR(point.p.z(), way * std::cos(lean), 2e-4) << "layer " << l;
+          EXPECT_NEAR(std::hypot(point.p.x(), point.p.y()), radius, 2e-4) << "layer " << l;
           if (l > 0) {
-            EXPECT_NEAR(point.distance, 2.0, 1e-6);
+            EXPECT_NEAR(point.distance, 2.0, 1e-3);
           }
         }
       }
