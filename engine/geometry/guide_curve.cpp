@@ -355,6 +355,12 @@ std::vector<double> chordSteps(const GuideCurve& curve, double step, double from
       low = high;
     }
     if (!found) {
+      // A chord that rounding keeps from the end ends there.
+      constexpr double kOnEnd = 1e-9;
+      if (start < curve.end() &&
+          (curve.evaluate(curve.end()).p - origin).norm() >= (1.0 - kOnEnd) * step) {
+        parameters.push_back(curve.end());
+      }
       return parameters;
     }
     for (int i = 0; i < kBisections && high - low > kRounding * range; ++i) {

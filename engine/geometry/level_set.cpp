@@ -6,6 +6,8 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/parallel.hpp"
 
+#include "level_flats.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,9 +39,10 @@ public:
          const HalfEdges& halfEdges,
          std::span<const double> scalar,
          std::span<const double> levels,
-         double snap)
-      : mesh_(mesh), halfEdges_(halfEdges), scalar_(scalar), levels_(levels), snap_(snap) {
-    countLevels(snap);
+         const LevelSnap& snap)
+      : mesh_(mesh), halfEdges_(halfEdges), scalar_(scalar), levels_(levels), snap_(snap.rounding) {
+    countLevels(snap_);
+    settled_ = settleFlats(mesh, halfEdges, scalar, levels, snap, count_);
     splitNonManifold();
   }
 
@@ -414,7 +417,7 @@ private:
     contour.fractions.resize(entries.size());
     bool repeats = false;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      placeNode(entries[i], levels_[level], contour.points[i], contour.fractions[i]);
+      placeNode(entries[i], level, contour.points[i], contour.fractions[i]);
       repeats = repeats || (i > 0 && contour.points[i] == contour.points[i - 1]);
     }
     if (repeats || contour.points.front() == contour.points.back()) {
@@ -423,18 +426,23 @@ private:
     return contour;
   }
 
-  void placeNode(std::uint32_t h, double level, Vec3& point, double& fraction) const {
+  [[nodiscard]] bool isSettled(std::uint32_t vertex, std::uint32_t level) const {
+    return !settled_.empty() && settled_[vertex] == level;
+  }
+
+  void placeNode(std::uint32_t h, std::uint32_t index, Vec3& point, double& fraction) const {
     const std::uint32_t start = startOf(h);
     const std::uint32_t end = endOf(h);
+    const double level = levels_[index];
     const double a = scalar_[start];
     const double b = scalar_[end];
     const Vec3& p = mesh_.vertices[start];
     const Vec3& q = mesh_.vertices[end];
     // A snapped vertex is the node itself, so that curves through a vertex have equal nodes.
-    if (std::abs(level - a) <= snap_) {
+    if (std::abs(level - a) <= snap_ || isSettled(start, index)) {
       fraction = 0.0;
       point = p;
-    } else if (std::abs(level - b) <= snap_) {
+    } else if (std::abs(level - b) <= snap_ || isSettled(end, index)) {
       fraction = 1.0;
       point = q;
     } else {
@@ -470,7 +478,8 @@ private:
   std::span<const double> scalar_;
   std::span<const double> levels_;
   double snap_;
-  std::vector<std::uint32_t> count_;  ///< levels at or below each vertex; kNone outside the field
+  std::vector<std::uint32_t> count_;    ///< levels at or below each vertex; kNone outside the field
+  std::vector<std::uint32_t> settled_;  ///< per vertex the level of its flat; empty without flats
   std::vector<std::uint32_t> extraEdges_, extraEdgeOf_;
   std::vector<std::uint8_t> nonManifold_;
   std::size_t edgeGrain_ = 1;
@@ -490,7 +499,7 @@ std::vector<std::vector<LevelContour>> traceLevels(const TriangleMesh& mesh,
                                                    const HalfEdges& halfEdges,
                                                    std::span<const double> scalar,
                                                    std::span<const double> levels,
-                                                   double snap,
+                                                   const LevelSnap& snap,
                                                    const JobContext& context) {
   WCAM_ASSERT(scalar.size() == mesh.vertices.size());
   WCAM_ASSERT(std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) ==
@@ -511,8 +520,8 @@ std::vector<std::vector<LevelContour>> planeSections(const TriangleMesh& mesh,
               [&](std::size_t v) { height[v] = direction.dot(mesh.vertices[v]); });
   // Rounding of a height is a few units in the last place of the coordinates.
   constexpr double kRelativeSnap = 1e-12;
-  return traceLevels(mesh, halfEdges, height, levels, kRelativeSnap * mesh.bounds().diagonal(),
-                     context);
+  return traceLevels(mesh, halfEdges, height, levels,
+                     {kRelativeSnap * mesh.bounds().diagonal(), flatTolerance(mesh)}, context);
 }
 
 }  // namespace wcam::geometry

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wcam/base/error.hpp"
+#include "wcam/base/json.hpp"
 
 #include "brep_impl.hpp"
+#include "cad_mend.hpp"
 #include "cad_mesh.hpp"
 #include "cad_reader.hpp"
 #include "formula_reader.hpp"
@@ -29,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace wcam::io {
@@ -42,6 +45,9 @@ namespace {
 constexpr double kSewTolerance = 0.01;
 /// The same relative to the size of the part, for very small ones.
 constexpr double kSewRelative = 1e-4;
+
+/// A formula that is met better than this is met exactly, mm.
+constexpr double kExactFormula = 1e-6;
 
 double sewTolerance(const TopoDS_Shape& shape, double wanted) {
   if (wanted > 0.0) {
@@ -348,13 +354,19 @@ void orientFaces(CadMesh& cad,
                   {std::to_string(turnedFaces), positionText(orientation.first)}));
 }
 
-void tellReaderFindings(const CadMesh& cad, const OcctSession& session, const JobContext& context) {
+void tellReaderFindings(const CadMesh& cad,
+                        const TopoDS_Shape& shape,
+                        const OcctSession& session,
+                        const JobContext& context) {
   if (!cad.unmeshedFaces.empty()) {
+    // A solid with a hole has open sections: beads that end where the part does not.
+    const bool solid = countOf(shape, TopAbs_SOLID) > 0;
     addCounted(
-        context, Severity::Warning, "import.face_not_meshed", cad.unmeshedFaces.size(),
+        context, solid ? Severity::Violation : Severity::Warning, "import.face_not_meshed",
+        cad.unmeshedFaces.size(),
         text("%1 faces could not be tessellated and are missing, the first is face %2",
              {std::to_string(cad.unmeshedFaces.size()), std::to_string(cad.unmeshedFaces.front())}),
-        "check these faces in the CAD system");
+        "check these faces in the CAD system, or export them divided in halves");
   }
   addCounted(context, Severity::Information, "import.reader_message", session.messages().size(),
              text("the CAD reader reports%1", {session.messageTail()}),
@@ -374,6 +386,54 @@ CadFormat cadFormat(FileFormat format) {
   }
 }
 
+/// A shape with its faces and their tessellation.
+struct MeshedShape {
+  TopoDS_Shape shape;
+  std::unique_ptr<geometry::Brep::Impl> brep;
+  CadMesh cad;
+};
+
+MeshedShape meshed(const TopoDS_Shape& shape,
+                   const CadModel& model,
+                   const ImportJob& job,
+                   const JobContext& context) {
+  MeshedShape result{shape, geometry::makeBrepImpl(shape), {}};
+  requireFinite(*result.brep, job);
+  nameFacesAndEdges(model, *result.brep);
+  result.cad = meshShape(shape, *result.brep, job.options.chordTolerance.value(),
+                         job.options.angularTolerance.value(), context);
+  return result;
+}
+
+/// Mends faces that cannot be tessellated as they are: their seams are straightened, and where that
+/// does not do, closed faces are divided.
+void mendFaces(MeshedShape& part,
+               CadModel& model,
+               const ImportJob& job,
+               const JobContext& context) {
+  const std::vector<int> missing = part.cad.unmeshedFaces;
+  if (missing.empty()) {
+    return;
+  }
+  straightenSeams(*part.brep, missing);
+  part = meshed(part.shape, model, job, context);
+  bool divided = false;
+  if (!part.cad.unmeshedFaces.empty()) {
+    MeshedShape halves = meshed(divideClosedFaces(part.shape, model), model, job, context);
+    divided = halves.cad.unmeshedFaces.size() < part.cad.unmeshedFaces.size();
+    part = divided ? std::move(halves) : std::move(part);
+  }
+  if (part.cad.unmeshedFaces.size() < missing.size()) {
+    addCounted(context, Severity::Information, "import.face_mended",
+               missing.size() - part.cad.unmeshedFaces.size(),
+               divided ? text("closed faces were divided, since %1 could not be tessellated whole",
+                              {std::to_string(missing.size())})
+                       : text("the seams of %1 faces were straightened, since they could not be "
+                              "tessellated as they are",
+                              {std::to_string(missing.size())}));
+  }
+}
+
 geometry::PartSurface build(std::string_view bytes,
                             const ImportJob& job,
                             ImportReport& report,
@@ -384,19 +444,27 @@ geometry::PartSurface build(std::string_view bytes,
                        ? readFormulaSurface(bytes, job.fileText, reading)
                        : readCadModel(job.file, bytes, cadFormat(job.format), session, reading);
   report.formulaDeviation = model.deviation;
+  if (model.deviation && *model.deviation > kExactFormula) {
+    context.add(
+        {Severity::Information,
+         "import.formula_deviation",
+         text("the surface follows its formula within %1 mm", {formatReal(*model.deviation)}),
+         "split the range where the formula has a corner or a vertical tangent, if that is "
+         "not near enough",
+         {},
+         {{"deviation_mm", *model.deviation}}});
+  }
   placeModel(model, chooseUnit(model, job, report), job.T_part_file);
   TopoDS_Shape shape = compoundOf(model);
   requireFaces(shape, job, session);
   if (job.options.repair) {
     shape = sew(shape, model, job, context.portion(0.6, 0.7, "Sewing faces"));
   }
-  auto brep = geometry::makeBrepImpl(shape);
-  requireFinite(*brep, job);
-  nameFacesAndEdges(model, *brep);
-  reportBodies(model, shape, *brep, report, context);
-  CadMesh cad =
-      meshShape(shape, *brep, job.options.chordTolerance.value(),
-                job.options.angularTolerance.value(), context.portion(0.7, 0.95, "Tessellating"));
+  MeshedShape part = meshed(shape, model, job, context.portion(0.7, 0.95, "Tessellating"));
+  mendFaces(part, model, job, context);
+  std::unique_ptr<geometry::Brep::Impl>& brep = part.brep;
+  CadMesh& cad = part.cad;
+  reportBodies(model, part.shape, *brep, report, context);
   if (cad.mesh.triangles.empty()) {
     throw Error(ErrorCode::InputInvalid,
                 text("none of the %1 faces could be tessellated%2",
@@ -409,7 +477,7 @@ geometry::PartSurface build(std::string_view bytes,
   if (job.options.repair) {
     orientFaces(cad, halfEdges, *brep, job, report, context);
   }
-  tellReaderFindings(cad, session, context);
+  tellReaderFindings(cad, part.shape, session, context);
   surface.mesh = std::move(cad.mesh);
   surface.binding = std::move(cad.binding);
   surface.halfEdges = std::move(halfEdges);

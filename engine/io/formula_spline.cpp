@@ -24,9 +24,17 @@ namespace {
 constexpr int kDegree = 5;
 constexpr int kFirstIntervals = 16;
 constexpr int kMostIntervals = 512;
-/// Parts of the size: what is aimed at, and what is still accepted at the finest grid.
+/// What is aimed at, in parts of the size.
 constexpr double kAimedAccuracy = 1e-9;
-constexpr double kNeededAccuracy = 1e-7;
+/// What is still accepted at the finest grid, in parts of the size and in mm: a hundredth of a
+/// chord error.
+constexpr double kNeededRelative = 1e-7;
+constexpr double kNeeded = 1e-4;
+
+bool nearEnough(double deviation, double size) {
+  return deviation <= std::max(kNeededRelative * size, kNeeded);
+}
+
 /// Ends of a closed direction agree to this part of the size.
 constexpr double kClosed = 1e-9;
 /// Places inside an interval where function and spline are compared: the middle, where the error of
@@ -257,7 +265,7 @@ Fitted<Geom_BSplineSurface> fitSurface(const SurfaceFunction& function,
   }
   const double deviation =
       std::max({fit.deviation(true, true), fit.deviation(true, false), fit.deviation(false, true)});
-  if (deviation > kNeededAccuracy * fit.size()) {
+  if (!nearEnough(deviation, fit.size())) {
     notSmooth(place, deviation);
   }
   return {fit.spline(), deviation};
@@ -297,7 +305,7 @@ Fitted<Geom_BSplineCurve> fitCurve(const CurveFunction& function,
       return {curve, deviation};
     }
     if (n >= kMostIntervals) {
-      if (deviation > kNeededAccuracy * size) {
+      if (!nearEnough(deviation, size)) {
         notSmooth(place, deviation);
       }
       return {curve, deviation};

@@ -10,6 +10,7 @@
 #include "wcam/motion/pauses.hpp"
 #include "wcam/program/from_motion.hpp"
 #include "wcam/project/project_file.hpp"
+#include "wcam/toolpath/part_coverage.hpp"
 
 #include <algorithm>
 
@@ -18,9 +19,9 @@ namespace wcam::project {
 namespace {
 
 // Raise the version of a stage when the same input gives another result.
-constexpr int kPartVersion = 1;
+constexpr int kPartVersion = 2;
 constexpr int kSubstrateVersion = 1;
-constexpr int kSliceVersion = 2;
+constexpr int kSliceVersion = 3;
 constexpr int kPathVersion = 2;
 constexpr int kEditsVersion = 1;
 constexpr int kProcessVersion = 1;
@@ -508,7 +509,11 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       .text(formatReal(input.bead.width));
   const auto sliced = stage<toolpath::SlicedLayers>(
       "slice", std::move(sliceKey), context.portion(0.25, 0.6, "slice"),
-      [&](const JobContext& own) { return strategy->strategy->slice(input, sliceParams, own); });
+      [&](const JobContext& own) {
+        toolpath::SlicedLayers layers = strategy->strategy->slice(input, sliceParams, own);
+        toolpath::reportLeftOut(layers, input.parts, *input.substrate, input.bead, own);
+        return layers;
+      });
   collectFrom(sliced);
   result.sliced = sliced.value;
 

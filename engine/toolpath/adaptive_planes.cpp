@@ -113,6 +113,34 @@ Choice chooseHeight(const PlaneSearch& search,
   return high.contours.empty() ? Choice{} : low;
 }
 
+/// Lays a last plane on the end of the highest part. A rest that is thinner than a layer shares the
+/// height of the last two.
+void endOnTop(const BeadRange& range, PlaneStack& stack) {
+  double top = -std::numeric_limits<double>::infinity();
+  for (const double end : stack.ends) {
+    top = std::isnan(end) ? top : std::max(top, end);
+  }
+  LayerLevel last = stack.levels.back();
+  const double rest = top - last.value;
+  if (!std::isfinite(rest) || rest <= stack.tolerance) {
+    return;
+  }
+  if (rest < range.heightMin) {
+    if (stack.levels.size() < 2) {
+      return;
+    }
+    LayerLevel& moved = stack.levels.back();
+    const double below = stack.levels[stack.levels.size() - 2].value;
+    const double half = 0.5 * (top - below);
+    if (half < range.heightMin) {
+      return;
+    }
+    moved.value = below + half;
+  }
+  last.value = top;
+  stack.levels.push_back(last);
+}
+
 }  // namespace
 
 PlaneStack adaptivePlanes(const Parts& parts,
@@ -125,20 +153,22 @@ PlaneStack adaptivePlanes(const Parts& parts,
     throw Error(ErrorCode::InvalidArgument, "the process's layer heights do not ascend",
                 "adaptive planes", "correct the height range of the process file");
   }
-  if (options.step < range.heightMin || options.step > range.heightMax) {
+  if (options.layers.step < range.heightMin || options.layers.step > range.heightMax) {
     throw Error(ErrorCode::InvalidArgument,
                 text("the step of %1 mm is outside the process's layer heights of %2 to %3 mm",
-                     {formatFixed(options.step, 3), formatFixed(range.heightMin, 3),
+                     {formatFixed(options.layers.step, 3), formatFixed(range.heightMin, 3),
                       formatFixed(range.heightMax, 3)}),
                 "adaptive planes", "choose a step inside the range");
   }
-  PlaneStack stack = planeStack(parts, substrate, options);
+  PlaneStackOptions whole = options;
+  whole.layers.last = LastLayer::Leave;
+  PlaneStack stack = planeStack(parts, substrate, whole);
   if (stack.levels.empty()) {
     return stack;
   }
   const LayerLevel last = stack.levels.back();
   // The stack ends less than a step above its last level.
-  const double end = last.value + options.step;
+  const double end = last.value + options.layers.step;
   stack.levels.resize(1);
   const PlaneSearch search(parts, substrate, stack, sampling);
   std::vector<Contour> below = search.section(stack.levels[0].value);
@@ -147,11 +177,15 @@ PlaneStack adaptivePlanes(const Parts& parts,
     context.check();
     const double from = stack.levels.back().value;
     context.report(std::min(1.0, (from - bottom) / (end - bottom)));
-    Choice choice = chooseHeight(search, below, from, range.heightMin, options.step, options.step);
+    Choice choice = chooseHeight(search, below, from, range.heightMin, options.layers.step,
+                                 options.layers.step);
     if (choice.contours.empty()) {
+      if (options.layers.last == LastLayer::Fit) {
+        endOnTop(range, stack);
+      }
       return stack;
     }
-    if (choice.distance > options.step * (1.0 + 2.0 * kMet)) {
+    if (choice.distance > options.layers.step * (1.0 + 2.0 * kMet)) {
       context.add(
           {Severity::Warning,
            "slicing.step_not_kept",
@@ -166,7 +200,7 @@ PlaneStack adaptivePlanes(const Parts& parts,
                ? std::vector<std::pair<std::string, double>>{{"distance_mm", choice.distance}}
                : std::vector<std::pair<std::string, double>>{}});
     }
-    stack.levels.push_back({from + choice.height, stack.up, options.step});
+    stack.levels.push_back({from + choice.height, stack.up, options.layers.step});
     if (options.endHeight > 0.0 && stack.levels.back().value > options.endHeight) {
       stack.levels.pop_back();
       return stack;

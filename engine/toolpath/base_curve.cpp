@@ -254,8 +254,9 @@ private:
     }
     const std::vector<double> levels{0.0};
     const double size = std::max(1.0, mesh_.bounds().diagonal());
-    const auto curves = geometry::traceLevels(mesh_, surface_.halfEdges, field, levels,
-                                              kHeightSnap * size, context_);
+    const auto curves =
+        geometry::traceLevels(mesh_, surface_.halfEdges, field, levels,
+                              {kHeightSnap * size, geometry::flatTolerance(mesh_)}, context_);
     for (const geometry::LevelContour& contour : curves[0]) {
       BaseLoop loop;
       loop.closed = contour.closed;

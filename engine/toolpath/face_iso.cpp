@@ -4,6 +4,7 @@
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/aabb_tree.hpp"
+#include "wcam/geometry/level_set.hpp"
 #include "wcam/toolpath/iso_parametric.hpp"
 
 #include "front_base.hpp"
@@ -45,6 +46,7 @@ struct Climber {
   int parameter = 0;  ///< 0: u changes, 1: v
   double sign = 1.0;
   bool alive = true;
+  double rest = 0.0;  ///< of a dead one: chord to where its curve ends, mm
   ContourPoint point;
 };
 
@@ -110,27 +112,56 @@ public:
     return climbers;
   }
 
-  /// Moves a climber on until its chord is `step`; it dies where its curve ends.
-  void climb(Climber& climber, double step) {
+  /// Moves a climber on until its chord is `step`; it dies where its curve ends before. One that
+  /// is short by the tolerance stands on the end.
+  void climb(Climber& climber, double step, double tolerance) {
     const Vec3 from = climber.point.p;
     Climber at = climber;
-    // A curve may cross many small faces, but not return to where it was.
-    for (int faces = 0; faces < 64; ++faces) {
-      if (climbOnFace(at, from, step)) {
-        if (onPart(at)) {
-          climber = at;
-          return;
-        }
-        break;
-      }
-      if (!enterNextFace(at)) {
-        break;
-      }
+    const Way way = follow(at, step);
+    if (way == Way::Whole) {
+      climber = at;
+      return;
     }
+    climber.rest = way == Way::Ended ? (at.point.p - from).norm() : chordOnPart(climber, step);
     climber.alive = false;
+    if (climber.rest >= step - tolerance) {
+      follow(climber, climber.rest);
+      climber.alive = true;
+    }
   }
 
 private:
+  /// How a climb went: by the whole chord, to the end of the curve, or off the part.
+  enum class Way { Whole, Ended, Off };
+
+  Way follow(Climber& at, double step) {
+    const Vec3 from = at.point.p;
+    // A curve may cross many small faces, but not return to where it was.
+    constexpr int kMostFaces = 64;
+    for (int faces = 0; faces < kMostFaces; ++faces) {
+      if (climbOnFace(at, from, step)) {
+        return onPart(at) ? Way::Whole : Way::Off;
+      }
+      if (!enterNextFace(at)) {
+        return Way::Ended;
+      }
+    }
+    return Way::Off;
+  }
+
+  /// The greatest chord that keeps a climber on the part.
+  double chordOnPart(const Climber& climber, double step) {
+    double low = 0.0;
+    double high = step;
+    constexpr int kHalvings = 30;
+    for (int i = 0; i < kHalvings; ++i) {
+      Climber at = climber;
+      const double middle = 0.5 * (low + high);
+      (follow(at, middle) == Way::Whole ? low : high) = middle;
+    }
+    return low;
+  }
+
   /// False where the climber has gone over the edge of its face: nothing of the part is near, or
   /// another face that does not pass through the climber.
   [[nodiscard]] bool onPart(const Climber& at) const {
@@ -296,45 +327,153 @@ void addContours(const std::vector<Climber>& climbers,
   }
 }
 
-void slicePart(const PartSurface& part,
-               int index,
-               const Substrate& substrate,
-               const FaceIsoOptions& options,
-               const Sampling& sampling,
-               std::vector<SlicedLayer>& layers,
-               const JobContext& context) {
-  const SurfacePatch patch(part);
-  const FrontBase base = findFrontBase(patch, substrate, context);
-  FaceClimb climb(part, options.direction);
-  for (const TracedCurve& traced : base.curves) {
+/// Length of the contours, mm.
+double lengthOf(const std::vector<Contour>& contours) {
+  double length = 0.0;
+  for (const Contour& contour : contours) {
+    for (std::size_t i = 0; i + (contour.closed ? 0 : 1) < contour.points.size(); ++i) {
+      length += (contour.points[(i + 1) % contour.points.size()].p - contour.points[i].p).norm();
+    }
+  }
+  return length;
+}
+
+double areaAbove(const geometry::TriangleMesh& mesh, const Substrate& substrate) {
+  double area = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[t[0]];
+    const Vec3 ab = mesh.vertices[t[1]] - a;
+    const Vec3 ac = mesh.vertices[t[2]] - a;
+    if (substrate.heightAbove(a + (ab + ac) / 3.0) >= 0.0) {
+      area += 0.5 * ab.cross(ac).norm();
+    }
+  }
+  return area;
+}
+
+/// Lengths of the iso-curves from the base to their ends, in chords of a step.
+struct CurveLengths {
+  double mean = 0.0;
+  double spread = 0.0;  ///< to both sides, mm
+};
+
+/// One base curve of a part on its way to layers.
+class FaceLayers {
+public:
+  FaceLayers(const PartSurface& part,
+             int index,
+             const Substrate& substrate,
+             const FaceIsoOptions& options,
+             const JobContext& context)
+      : index_(index),
+        substrate_(substrate),
+        options_(options),
+        context_(context),
+        climb_(part, options.direction),
+        area_(areaAbove(part.mesh, substrate)),
+        tolerance_(geometry::flatTolerance(part.mesh)) {}
+
+  void slice(const TracedCurve& traced,
+             const Sampling& sampling,
+             std::vector<SlicedLayer>& layers) {
     Contour first;
     first.closed = traced.curve->closed();
     first.points = sampleCurve(*traced.curve, sampling);
-    std::vector<Climber> climbers = climb.start(first);
-    double level = 0.0;
+    const std::vector<Climber> climbers = climb_.start(first);
+    const LayerWish& wish = options_.layers;
+    double step = wish.step;
+    std::vector<std::vector<Contour>> made = climbAll(climbers, first.closed, step, tolerance_);
+    // Curves that end so unevenly end in a slanted or wavy border.
+    constexpr double kEven = 0.05;
+    // A border that misses the last layer by less than this part of a step is that layer.
+    constexpr double kBorder = 0.01;
+    if (lengths_.spread > kEven * step) {
+      append(std::move(made), step, layers);
+      return;
+    }
+    const double tolerance = std::max(tolerance_, kBorder * step + 2.0 * lengths_.spread);
+    const double length = lengths_.mean;
+    if (wish.last == LastLayer::Fit) {
+      step = layersUpTo(length, wish, tolerance).step;
+      if (step != wish.step || tolerance > tolerance_) {
+        made = climbAll(climbers, first.closed, step, tolerance);
+      }
+    }
+    const double level = (wish.firstLayer + static_cast<double>(made.size()) - 1.0) * step;
+    std::vector<double> ends(static_cast<std::size_t>(index_) + 1,
+                             std::numeric_limits<double>::quiet_NaN());
+    ends.back() = length;
+    reportSteps(ends, {{level, Vec3::UnitZ(), step}}, wish, step, tolerance, context_);
+    append(std::move(made), step, layers);
+  }
+
+private:
+  /// The contours of all layers; measures the curves.
+  std::vector<std::vector<Contour>> climbAll(std::vector<Climber> climbers,
+                                             bool ring,
+                                             double wanted,
+                                             double tolerance) {
+    std::vector<std::vector<Contour>> layers;
+    std::vector<double> lengths(climbers.size(), 0.0);
+    double laid = laid_;
     for (std::size_t l = 0; l < kMostLayers; ++l) {
-      context.check();
-      const double step = l == 0 ? options.firstLayer * options.step : options.step;
-      if (step > 0.0) {
-        for (Climber& climber : climbers) {
-          if (climber.alive) {
-            climb.climb(climber, step);
-          }
+      context_.check();
+      const double step = l == 0 ? options_.layers.firstLayer * wanted : wanted;
+      for (std::size_t i = 0; step > 0.0 && i < climbers.size(); ++i) {
+        if (climbers[i].alive) {
+          climb_.climb(climbers[i], step, tolerance);
+          lengths[i] += climbers[i].alive ? step : climbers[i].rest;
+          // What comes back to the substrate has reached the part's end.
+          climbers[i].alive =
+              climbers[i].alive && substrate_.heightAbove(climbers[i].point.p) >= 0.0;
         }
       }
-      level += step;
       std::vector<Contour> contours;
-      addContours(climbers, first.closed, index, contours);
+      addContours(climbers, ring, index_, contours);
       if (contours.empty()) {
         break;
       }
+      laid += wanted * lengthOf(contours);
+      requireOnce(laid);
+      layers.push_back(std::move(contours));
+    }
+    const auto [low, high] = std::minmax_element(lengths.begin(), lengths.end());
+    lengths_ =
+        lengths.empty() ? CurveLengths{} : CurveLengths{0.5 * (*low + *high), 0.5 * (*high - *low)};
+    return layers;
+  }
+
+  /// Refuses curves that run over the surface again, as those from two ends of a bow or around a
+  /// torus do.
+  void requireOnce(double laid) const {
+    // Curves that climb askew lie nearer to each other than the step, by some tenths in the mean.
+    constexpr double kMostCoverage = 1.8;
+    if (laid > kMostCoverage * area_) {
+      throw Error(
+          ErrorCode::JobFailed,
+          "the iso-parametric curves of the faces return to where they were, so that layers "
+          "would never end",
+          "iso-parametric slicing",
+          "choose the other parameter (direction=u or v), pick the faces to build, or slice "
+          "by the geodesic distance from the base");
+    }
+  }
+
+  void append(std::vector<std::vector<Contour>> made,
+              double wanted,
+              std::vector<SlicedLayer>& layers) {
+    double level = 0.0;
+    for (std::size_t l = 0; l < made.size(); ++l) {
+      const double step = l == 0 ? options_.layers.firstLayer * wanted : wanted;
+      laid_ += wanted * lengthOf(made[l]);
+      level += step;
       if (layers.size() <= l) {
         layers.emplace_back();
         layers.back().level = level;
         layers.back().up = Vec3::Zero();
-        layers.back().nominalHeight = step > 0.0 ? step : options.step;
+        layers.back().nominalHeight = step > 0.0 ? step : wanted;
       }
-      for (Contour& contour : contours) {
+      for (Contour& contour : made[l]) {
         for (std::size_t i = 0; i + 1 < contour.points.size(); ++i) {
           layers[l].up +=
               (contour.points[i + 1].p - contour.points[i].p).cross(contour.points[i].n);
@@ -343,7 +482,17 @@ void slicePart(const PartSurface& part,
       }
     }
   }
-}
+
+  int index_;
+  const Substrate& substrate_;
+  const FaceIsoOptions& options_;
+  const JobContext& context_;
+  FaceClimb climb_;
+  double area_;        ///< of the part above the substrate, mm²
+  double laid_ = 0.0;  ///< of all base curves up to now, mm²
+  double tolerance_;   ///< of the part's ends, mm
+  CurveLengths lengths_;
+};
 
 }  // namespace
 
@@ -352,7 +501,7 @@ SlicedLayers sliceFaceIso(const std::vector<std::shared_ptr<const PartSurface>>&
                           const FaceIsoOptions& options,
                           const Sampling& sampling,
                           const JobContext& context) {
-  if (!(options.step > 0.0)) {
+  if (!(options.layers.step > 0.0)) {
     throw Error(ErrorCode::InvalidArgument, "the step must be positive", "slicing");
   }
   SlicedLayers sliced;
@@ -363,9 +512,15 @@ SlicedLayers sliceFaceIso(const std::vector<std::shared_ptr<const PartSurface>>&
                   "iso-parametric slicing",
                   "use the CAD file of the part, or slice at constant distance");
     }
-    slicePart(*parts[k], static_cast<int>(k), substrate, options, sampling, sliced.layers,
-              context.portion(static_cast<double>(k) / static_cast<double>(parts.size()),
-                              static_cast<double>(k + 1) / static_cast<double>(parts.size())));
+    const JobContext portion =
+        context.portion(static_cast<double>(k) / static_cast<double>(parts.size()),
+                        static_cast<double>(k + 1) / static_cast<double>(parts.size()));
+    const SurfacePatch patch(*parts[k]);
+    const FrontBase base = findFrontBase(patch, substrate, portion);
+    FaceLayers faces(*parts[k], static_cast<int>(k), substrate, options, portion);
+    for (const TracedCurve& traced : base.curves) {
+      faces.slice(traced, sampling, sliced.layers);
+    }
   }
   if (sliced.layers.empty()) {
     throw Error(ErrorCode::JobFailed, "no layer fits on the part", "slicing",

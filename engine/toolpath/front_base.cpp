@@ -96,7 +96,8 @@ FrontBase leavingCurves(const SurfacePatch& patch,
   }
   const std::vector<double> zero{0.0};
   const auto contours =
-      geometry::traceLevels(part.mesh, part.halfEdges, heights, zero, kSnap * size, context);
+      geometry::traceLevels(part.mesh, part.halfEdges, heights, zero,
+                            {kSnap * size, geometry::flatTolerance(part.mesh)}, context);
   std::size_t unrefined = 0;
   for (const geometry::LevelContour& contour : contours[0]) {
     auto curve = std::make_unique<LevelCurve>(part, level->evaluator ? &*level->evaluator : nullptr,

@@ -3,8 +3,10 @@
 #include "wcam/toolpath/height_field.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/geometry/level_set.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace wcam::toolpath {
 
@@ -27,35 +29,49 @@ double HeightField::largestJump(double edgeLength) const {
   return kSteepest * edgeLength;
 }
 
-std::vector<LayerLevel> heightLevels(
-    const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
-    const Substrate& substrate,
-    double step,
-    double firstLayer,
-    double endHeight) {
+HeightLevels heightLevels(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+                          const Substrate& substrate,
+                          LayerWish wish,
+                          double endHeight) {
+  HeightLevels result;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   double most = -1.0;
+  double flat = -1.0;
   for (const auto& part : parts) {
+    std::vector<double> heights;
+    heights.reserve(part->mesh.vertices.size());
+    double top = -std::numeric_limits<double>::infinity();
     for (const Vec3& v : part->mesh.vertices) {
-      most = std::max(most, substrate.heightAbove(v));
+      heights.push_back(substrate.heightAbove(v));
+      top = std::max(top, heights.back());
     }
+    const double tolerance = geometry::flatTolerance(part->mesh);
+    result.tolerance = std::max(result.tolerance, tolerance);
+    most = std::max(most, top);
+    const bool ends =
+        top > tolerance && endsFlat(part->mesh, part->halfEdges, heights, 2.0 * tolerance);
+    result.ends.push_back(ends ? top : kNone);
+    flat = ends ? std::max(flat, top) : flat;
   }
   if (!(most > 0.0)) {
     throw Error(ErrorCode::JobFailed, "the whole part lies below the substrate", "slicing",
                 "raise the part or lower the substrate");
   }
-  const double end = endHeight > 0.0 ? std::min(most, endHeight) : most;
-  constexpr double kRounding = 1e-9;
-  constexpr std::size_t kMostLevels = 1000000;
-  std::vector<LayerLevel> levels;
-  for (std::size_t k = 0; levels.size() <= kMostLevels; ++k) {
-    const double value = (firstLayer + static_cast<double>(k)) * step;
-    if (value > end + kRounding * step) {
-      return levels;
-    }
-    levels.push_back({value, substrate.up(), step});
+  if (wish.last == LastLayer::Fit && flat > 0.0) {
+    wish.step = layersUpTo(flat, wish, result.tolerance).step;
   }
-  throw Error(ErrorCode::InvalidArgument, "the step gives more than a million layers", "step",
-              "choose a larger step");
+  wish.last = LastLayer::Leave;
+  result.step = wish.step;
+  const double end = endHeight > 0.0 ? std::min(most, endHeight) : most;
+  const LayerSteps steps = layersUpTo(end, wish, result.tolerance);
+  for (std::size_t k = 0; k < steps.count; ++k) {
+    result.levels.push_back(
+        {(wish.firstLayer + static_cast<double>(k)) * steps.step, substrate.up(), steps.step});
+  }
+  if (end < most) {
+    std::fill(result.ends.begin(), result.ends.end(), kNone);
+  }
+  return result;
 }
 
 }  // namespace wcam::toolpath

@@ -50,12 +50,14 @@ LevelCurve::LevelCurve(const geometry::PartSurface& part,
                        geometry::BrepEvaluator* evaluator,
                        const LayerField* field,
                        std::size_t level,
-                       double size)
+                       double size,
+                       double flat)
     : part_(&part),
       evaluator_(evaluator),
       field_(field),
       level_(level),
-      residualTolerance_(kResidual * std::max(1.0, size)) {}
+      residualTolerance_(kResidual * std::max(1.0, size)),
+      flat_(flat) {}
 
 Vec3 LevelCurve::meshNormal(std::uint32_t triangle) const {
   return part_->mesh.normal(triangle);
@@ -305,6 +307,13 @@ Vec3 LevelCurve::onMeshEdge(std::uint32_t halfEdge, const Vec3& start) const {
   return at;
 }
 
+bool LevelCurve::settled(const Vec3& vertex, double fraction) const {
+  // The tracing takes vertices that far from the level (level_flats.cpp).
+  constexpr double kReach = 4.0;
+  return field_ != nullptr && (fraction == 0.0 || fraction == 1.0) &&
+         std::abs(field_->residual(vertex, level_)) <= kReach * flat_;
+}
+
 std::size_t LevelCurve::assign(const LevelContour& contour) {
   closed_ = contour.closed;
   segments_.clear();
@@ -315,7 +324,7 @@ std::size_t LevelCurve::assign(const LevelContour& contour) {
     if (evaluator_ != nullptr) {
       if (const auto exact = refinedNode(contour.halfEdges[i], contour.fractions[i])) {
         nodes[i] = *exact;
-      } else {
+      } else if (!settled(contour.points[i], contour.fractions[i])) {
         ++failures;
       }
     } else if (field_ != nullptr) {

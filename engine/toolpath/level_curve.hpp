@@ -30,11 +30,14 @@ public:
   /// @param field null when the field is known at the mesh vertices only: nodes are then moved onto
   /// the surface, not onto the level
   /// @param size diagonal of the part's bounds, mm
+  /// @param flat tolerance of flat faces, mm: vertices that the tracing put on the level lie within
+  /// some of it
   LevelCurve(const geometry::PartSurface& part,
              geometry::BrepEvaluator* evaluator,
              const LayerField* field,
              std::size_t level,
-             double size);
+             double size,
+             double flat = 0.0);
 
   /// Moves the nodes of a mesh contour onto the exact surface and level.
   /// @return the number of nodes that kept their mesh position
@@ -87,6 +90,8 @@ private:
                                                 double t) const;
   /// The point of a mesh edge on the level, from the one where a linear field would have it.
   [[nodiscard]] Vec3 onMeshEdge(std::uint32_t halfEdge, const Vec3& start) const;
+  /// A vertex that counts as on the level and is left where it is.
+  [[nodiscard]] bool settled(const Vec3& vertex, double fraction) const;
   [[nodiscard]] std::optional<Node> refinedNode(std::uint32_t halfEdge, double fraction) const;
   [[nodiscard]] geometry::Vec2 cornerUv(std::uint32_t triangle,
                                         std::uint32_t halfEdge,
@@ -103,6 +108,7 @@ private:
   const LayerField* field_;             ///< null for a field of vertices
   std::size_t level_;
   double residualTolerance_;
+  double flat_;
   bool closed_ = false;
   std::vector<CurveSegment> segments_;
 };

@@ -4,6 +4,7 @@
 #include "wcam/toolpath/plane_field.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/geometry/level_set.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -51,26 +52,48 @@ Extent extentAboveSubstrate(const std::vector<std::shared_ptr<const geometry::Pa
   return extent;
 }
 
-std::vector<LayerLevel> levelsBetween(const PlaneStackOptions& options,
-                                      const Vec3& up,
-                                      double low,
-                                      double high) {
-  const double end = options.endHeight > 0.0 ? std::min(high, options.endHeight) : high;
-  // A level that rounding puts a hair above the top is still the top.
-  constexpr double kRounding = 1e-9;
-  std::vector<LayerLevel> levels;
-  constexpr std::size_t kMostLevels = 1000000;
-  for (std::size_t k = 0; levels.size() <= kMostLevels; ++k) {
-    const double value = (options.firstLayer + static_cast<double>(k)) * options.step;
-    if (value > end + kRounding * options.step) {
-      return levels;
+/// Per part the height at which it ends in a face or a border.
+void findEnds(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+              PlaneStack& stack) {
+  for (const auto& part : parts) {
+    std::vector<double> heights;
+    heights.reserve(part->mesh.vertices.size());
+    double top = -std::numeric_limits<double>::infinity();
+    for (const Vec3& p : part->mesh.vertices) {
+      heights.push_back(stack.up.dot(p) - stack.base);
+      top = std::max(top, heights.back());
     }
-    if (value >= low - kRounding * options.step) {
-      levels.push_back({value, up, options.step});
+    const double tolerance = geometry::flatTolerance(part->mesh);
+    stack.tolerance = std::max(stack.tolerance, tolerance);
+    const bool flat =
+        top > tolerance && endsFlat(part->mesh, part->halfEdges, heights, 2.0 * tolerance);
+    stack.ends.push_back(flat ? top : std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+/// @param low lowest point above the substrate
+void makeLevels(const PlaneStackOptions& options, double low, double high, PlaneStack& stack) {
+  LayerWish wish = options.layers;
+  const double end = options.endHeight > 0.0 ? std::min(high, options.endHeight) : high;
+  double flat = -std::numeric_limits<double>::infinity();
+  for (const double value : stack.ends) {
+    flat = std::isnan(value) ? flat : std::max(flat, value);
+  }
+  if (wish.last == LastLayer::Fit && std::isfinite(flat)) {
+    wish.step = layersUpTo(flat, wish, stack.tolerance).step;
+  }
+  wish.last = LastLayer::Leave;
+  stack.step = wish.step;
+  const LayerSteps steps = layersUpTo(end, wish, stack.tolerance);
+  for (std::size_t k = 0; k < steps.count; ++k) {
+    const double value = (wish.firstLayer + static_cast<double>(k)) * steps.step;
+    if (value >= low - stack.tolerance) {
+      stack.levels.push_back({value, stack.up, steps.step});
     }
   }
-  throw Error(ErrorCode::InvalidArgument, "the step gives more than a million layers", "step",
-              "choose a larger step");
+  if (end < high) {
+    std::fill(stack.ends.begin(), stack.ends.end(), std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 }  // namespace
@@ -84,7 +107,7 @@ PlaneStack planeStack(const std::vector<std::shared_ptr<const geometry::PartSurf
     throw Error(ErrorCode::InvalidArgument, "the build direction has no length", "direction",
                 "give a vector such as [0, 0, 1]");
   }
-  if (!(options.step > 0.0)) {
+  if (!(options.layers.step > 0.0)) {
     throw Error(ErrorCode::InvalidArgument, "the step is not above 0", "step", "give a step in mm");
   }
   if (options.direction) {
@@ -97,8 +120,8 @@ PlaneStack planeStack(const std::vector<std::shared_ptr<const geometry::PartSurf
   }
   const bool fromPlate = substrate.isPlate() && !options.direction;
   stack.base = fromPlate ? stack.up.dot(substrate.pose().translation()) : extent.low;
-  stack.levels =
-      levelsBetween(options, stack.up, extent.low - stack.base, extent.high - stack.base);
+  findEnds(parts, stack);
+  makeLevels(options, extent.low - stack.base, extent.high - stack.base, stack);
   return stack;
 }
 

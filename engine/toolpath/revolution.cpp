@@ -10,10 +10,14 @@
 #include "wcam/toolpath/slice_field.hpp"
 
 #include "level_curve.hpp"
+#include "parallels.hpp"
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
 
 namespace wcam::toolpath {
 
@@ -71,14 +75,13 @@ struct Profile {
 /// The profiles of a part: the sections with half planes through the axis.
 class Meridian {
 public:
+  /// @param radial unit vector across the axis: the half plane's side
   Meridian(const PartSurface& part,
            const Axis& axis,
+           const Vec3& radial,
            const Substrate& substrate,
            const JobContext& context)
-      : axis_(axis), size_(std::max(1.0, part.mesh.bounds().diagonal())) {
-    // Off the directions in which seams and mesh vertices usually lie.
-    constexpr double kTurn = 1.0;
-    radial_ = Eigen::AngleAxisd(kTurn, axis.direction) * axis.direction.unitOrthogonal();
+      : axis_(axis), size_(std::max(1.0, part.mesh.bounds().diagonal())), radial_(radial) {
     field_ = std::make_unique<MeridianField>(axis, axis.direction.cross(radial_));
     if (part.exact()) {
       evaluator_.emplace(*part.brep);
@@ -164,6 +167,52 @@ geometry::Vec2 meridianPlace(const Axis& axis, const Vec3& p) {
   return {(d - z * axis.direction).norm(), z};
 }
 
+/// How far a part may be from a body of revolution, mm.
+double roundnessOf(const PartSurface& part) {
+  return (part.exact() ? kExactRoundness : kMeshRoundness) *
+         std::max(1.0, part.mesh.bounds().diagonal());
+}
+
+/// Directions of half planes that may cut out the whole profile: a sector is not everywhere.
+std::vector<Vec3> meridianDirections(const PartSurface& part, const Axis& axis) {
+  // Off the directions in which seams and mesh vertices usually lie.
+  constexpr double kTurn = 1.0;
+  std::vector<Vec3> directions{Eigen::AngleAxisd(kTurn, axis.direction) *
+                               axis.direction.unitOrthogonal()};
+  Vec3 sum = Vec3::Zero();
+  std::vector<std::pair<double, Vec3>> spokes;
+  double area = 0.0;
+  for (const auto& c : part.mesh.triangles) {
+    const Vec3& a = part.mesh.vertices[c[0]];
+    const Vec3 b = part.mesh.vertices[c[1]] - a;
+    const Vec3 d = part.mesh.vertices[c[2]] - a;
+    Vec3 spoke = a + (b + d) / 3.0 - axis.point;
+    spoke -= spoke.dot(axis.direction) * axis.direction;
+    if (spoke.norm() > 0.0) {
+      spokes.emplace_back(0.5 * b.cross(d).norm(), spoke.normalized());
+      sum += spokes.back().first * spokes.back().second;
+      area += spokes.back().first;
+    }
+  }
+  // Around a whole body the spokes cancel.
+  constexpr double kCancelled = 0.05;
+  if (sum.norm() > kCancelled * area) {
+    directions.push_back(sum.normalized());
+  }
+  // Some of the surface itself, in the order of its triangles: where holes leave no other way.
+  constexpr double kOthers = 6.0;
+  double passed = 0.0;
+  double next = area / (2.0 * kOthers);
+  for (const auto& [share, spoke] : spokes) {
+    passed += share;
+    if (passed >= next) {
+      directions.push_back(spoke);
+      next += area / kOthers;
+    }
+  }
+  return directions;
+}
+
 /// Refuses a part whose vertices do not lie on its profiles turned about the axis.
 void requireRevolution(const PartSurface& part, const Axis& axis, const Meridian& meridian) {
   std::vector<std::array<geometry::Vec2, 2>> segments;
@@ -186,8 +235,7 @@ void requireRevolution(const PartSurface& part, const Axis& axis, const Meridian
     lowest = std::min({lowest, s[0][1], s[1][1]});
   }
   tree.build();
-  const double size = std::max(1.0, part.mesh.bounds().diagonal());
-  const double allowed = (part.exact() ? kExactRoundness : kMeshRoundness) * size;
+  const double allowed = roundnessOf(part);
   for (const Vec3& v : part.mesh.vertices) {
     const geometry::Vec2 m = meridianPlace(axis, v);
     if (m[1] < lowest - allowed || m[1] <= lowest + allowed) {
@@ -208,8 +256,9 @@ void requireRevolution(const PartSurface& part, const Axis& axis, const Meridian
 /// Walks a profile in steps.
 class ProfileWalk {
 public:
-  ProfileWalk(const Profile& profile, const Substrate& substrate, bool arcLength)
-      : profile_(profile), arcLength_(arcLength) {
+  /// @param tolerance by which the last step may be short, mm: then it ends on the profile's end
+  ProfileWalk(const Profile& profile, const Substrate& substrate, bool arcLength, double tolerance)
+      : profile_(profile), arcLength_(arcLength), tolerance_(tolerance) {
     // A part that goes through the substrate begins on it.
     if (substrate.heightAbove(point().p) < 0.0) {
       double low = 0.0;
@@ -235,7 +284,23 @@ public:
   }
 
   /// Moves on by a step; false when the profile ends before.
-  bool advance(double step) { return arcLength_ ? advanceArc(step) : advanceChord(step); }
+  bool advance(double step) {
+    if (arcLength_ ? advanceArc(step) : advanceChord(step)) {
+      return true;
+    }
+    if (atEnd_ || toEnd() < step - tolerance_) {
+      return false;
+    }
+    place_ = {profile_.pieces.size() - 1, 1.0};
+    atEnd_ = true;
+    return true;
+  }
+
+  /// What is left of the profile, measured as the steps are, mm.
+  [[nodiscard]] double toEnd() const {
+    const Vec3 end = profile_.at({profile_.pieces.size() - 1, 1.0}).p;
+    return arcLength_ ? arcToEnd() : (end - point().p).norm();
+  }
 
 private:
   bool advanceChord(double step) {
@@ -266,6 +331,20 @@ private:
     return high;
   }
 
+  [[nodiscard]] double arcToEnd() const {
+    double length = 0.0;
+    Vec3 last = point().p;
+    for (std::size_t i = place_.piece; i < profile_.pieces.size(); ++i) {
+      const double start = i == place_.piece ? place_.w : 0.0;
+      for (int k = 1; k <= kChords; ++k) {
+        const Vec3 p = profile_.at({i, start + (1.0 - start) * k / kChords}).p;
+        length += (p - last).norm();
+        last = p;
+      }
+    }
+    return length;
+  }
+
   bool advanceArc(double step) {
     double length = 0.0;
     Vec3 last = point().p;
@@ -290,39 +369,53 @@ private:
 
   const Profile& profile_;
   bool arcLength_;
+  double tolerance_;
+  bool atEnd_ = false;
   ProfilePlace place_;
 };
 
-/// The circle through a point of the profile; b = t × n is the direction in which it grows.
-Contour parallel(const ContourPoint& point,
-                 const Vec3& growth,
-                 const Axis& axis,
-                 int part,
-                 const Sampling& sampling) {
+/// The beads on the parallel through a point of the profile; b = t × n is the direction in which it
+/// grows.
+void addParallels(const ContourPoint& point,
+                  const Vec3& growth,
+                  const Axis& axis,
+                  const ParallelCutter& cutter,
+                  int part,
+                  const Sampling& sampling,
+                  std::vector<Contour>& contours) {
   const double z = (point.p - axis.point).dot(axis.direction);
-  const Vec3 centre = axis.point + z * axis.direction;
-  const Vec3 spoke = point.p - centre;
-  const double radius = spoke.norm();
-  const Vec3 e1 = spoke / radius;
-  const Vec3 e2 = axis.direction.cross(e1);
+  Parallel parallel;
+  parallel.centre = axis.point + z * axis.direction;
+  const Vec3 spoke = point.p - parallel.centre;
+  parallel.radius = spoke.norm();
+  parallel.e1 = spoke / parallel.radius;
+  parallel.e2 = axis.direction.cross(parallel.e1);
+  parallel.alongAxis = growth.dot(axis.direction);
+  parallel.alongSpoke = growth.dot(parallel.e1);
   // In the meridian plane: facets of a mesh look aside.
-  const Vec3 n = (point.n - point.n.dot(e2) * e2).normalized();
-  const double sign = n.cross(growth).dot(e2) >= 0.0 ? 1.0 : -1.0;
-  int count = chordCount(radius, sampling.chordError);
-  const double half = sampling.maxSpacing / (2.0 * radius);
+  const Vec3 n = (point.n - point.n.dot(parallel.e2) * parallel.e2).normalized();
+  const double sign = n.cross(growth).dot(parallel.e2) >= 0.0 ? 1.0 : -1.0;
+  int count = chordCount(parallel.radius, sampling.chordError);
+  const double half = sampling.maxSpacing / (2.0 * parallel.radius);
   if (half < 1.0) {
     count = std::max(count, static_cast<int>(std::ceil(kPi / std::asin(half) - 1e-9)));
   }
-  Contour contour;
-  contour.closed = true;
-  contour.part = part;
-  for (int i = 0; i < count; ++i) {
-    const double angle = sign * 2.0 * kPi * i / count;
-    const Vec3 e = std::cos(angle) * e1 + std::sin(angle) * e2;
-    contour.points.push_back(
-        {centre + radius * e, n.dot(e1) * e + n.dot(axis.direction) * axis.direction});
+  for (const ParallelArc& arc : cutter.arcs(parallel)) {
+    Contour& contour = contours.emplace_back();
+    contour.closed = arc.closed;
+    contour.part = part;
+    const double sweep = arc.to - arc.from;
+    const int chords =
+        arc.closed ? count
+                   : std::max(1, static_cast<int>(std::ceil(count * sweep / (2.0 * kPi) - 1e-9)));
+    const double begin = sign > 0.0 ? arc.from : (arc.closed ? arc.from : arc.to);
+    for (int i = 0; i < chords + (arc.closed ? 0 : 1); ++i) {
+      const double angle = begin + sign * sweep * i / chords;
+      const Vec3 e = std::cos(angle) * parallel.e1 + std::sin(angle) * parallel.e2;
+      contour.points.push_back({parallel.centre + parallel.radius * e,
+                                n.dot(parallel.e1) * e + n.dot(axis.direction) * axis.direction});
+    }
   }
-  return contour;
 }
 
 Axis axisOf(const PartSurface& part, const Substrate& substrate, const RevolutionOptions& options) {
@@ -338,33 +431,98 @@ Axis axisOf(const PartSurface& part, const Substrate& substrate, const Revolutio
   return *axis;
 }
 
+/// One profile on its way to layers.
+struct ProfileTask {
+  const Profile& profile;
+  const Substrate& substrate;
+  const Axis& axis;
+  const Vec3& radial;
+  const RevolutionOptions& options;
+  double leastRadius;  ///< no circle smaller than this, mm
+  double tolerance;    ///< of the part's ends, mm
+
+  [[nodiscard]] bool inside(const ContourPoint& point) const {
+    // Beyond the axis the same circles come again.
+    return radial.dot(point.p - axis.point) > leastRadius;
+  }
+
+  /// Whether the profile ends in a border, not on the axis.
+  [[nodiscard]] bool endsInBorder() const {
+    return inside(profile.at({profile.pieces.size() - 1, 1.0}));
+  }
+};
+
+/// Steps that a profile gives, and what is left beyond the last one, mm.
+struct Walked {
+  std::size_t layers = 0;
+  double rest = 0.0;
+};
+
+Walked walked(const ProfileTask& task, double step, std::size_t most) {
+  ProfileWalk walk(task.profile, task.substrate, task.options.arcLength, 0.0);
+  const double first = task.options.layers.firstLayer * step;
+  Walked result;
+  bool more = !(first > 0.0) || walk.advance(first);
+  while (more) {
+    ++result.layers;
+    more = result.layers < most && walk.advance(step);
+  }
+  result.rest = walk.toEnd();
+  return result;
+}
+
+/// The step whose last layer is the profile's end.
+double fittedStep(const ProfileTask& task) {
+  const LayerWish& wish = task.options.layers;
+  constexpr std::size_t kAll = 1000000;
+  const Walked wanted = walked(task, wish.step, kAll);
+  const double first = wish.firstLayer;
+  const double height =
+      wanted.rest +
+      (wanted.layers > 0 ? first + static_cast<double>(wanted.layers) - 1.0 : 0.0) * wish.step;
+  const LayerSteps steps = layersUpTo(height, wish, task.tolerance);
+  if (steps.step == wish.step || steps.count == 0) {
+    return wish.step;
+  }
+  // Chords of another length sum up to another length: a few corrections.
+  const double places = first + static_cast<double>(steps.count) - 1.0;
+  double step = steps.step;
+  constexpr int kCorrections = 12;
+  for (int i = 0; i < kCorrections; ++i) {
+    const Walked now = walked(task, step, steps.count);
+    const double missing = static_cast<double>(steps.count - now.layers) * step;
+    if (missing == 0.0 && now.rest <= 0.5 * task.tolerance) {
+      break;
+    }
+    // A little less, so that the last step is not lost again.
+    step += (now.rest - missing - 0.25 * task.tolerance) / places;
+  }
+  return step;
+}
+
 /// Layers of one profile, appended to `layers` by their number.
-void sliceProfile(const Profile& profile,
-                  const Substrate& substrate,
-                  const Axis& axis,
-                  const Vec3& radial,
+void sliceProfile(const ProfileTask& task,
+                  double step,
+                  const ParallelCutter& cutter,
                   int part,
-                  const RevolutionOptions& options,
                   const Sampling& sampling,
                   std::vector<SlicedLayer>& layers) {
-  ProfileWalk walk(profile, substrate, options.arcLength);
-  bool more = !(options.firstLayer > 0.0) || walk.advance(options.firstLayer * options.step);
-  double level = options.firstLayer * options.step;
-  for (std::size_t l = 0; more; ++l, more = walk.advance(options.step), level += options.step) {
+  ProfileWalk walk(task.profile, task.substrate, task.options.arcLength, task.tolerance);
+  const double first = task.options.layers.firstLayer * step;
+  bool more = !(first > 0.0) || walk.advance(first);
+  double level = first;
+  for (std::size_t l = 0; more; ++l, more = walk.advance(step), level += step) {
     const ContourPoint point = walk.point();
-    // Beyond the axis the same circles come again.
-    const double radius = radial.dot(point.p - axis.point);
-    if (!(radius > std::max(options.leastRadius, sampling.chordError))) {
+    if (!task.inside(point)) {
       break;
     }
     if (layers.size() <= l) {
       layers.emplace_back();
       layers.back().level = level;
-      layers.back().up = axis.direction;
-      layers.back().nominalHeight =
-          l == 0 && options.firstLayer > 0.0 ? options.firstLayer * options.step : options.step;
+      layers.back().up = task.axis.direction;
+      layers.back().nominalHeight = l == 0 && first > 0.0 ? first : step;
     }
-    layers[l].contours.push_back(parallel(point, walk.direction(), axis, part, sampling));
+    addParallels(point, walk.direction(), task.axis, cutter, part, sampling, layers[l].contours);
   }
 }
 
@@ -441,12 +599,41 @@ std::optional<Axis> findRevolutionAxis(const PartSurface& part, const Vec3& up) 
   return std::nullopt;
 }
 
+namespace {
+
+/// The first of the half planes whose profiles, turned about the axis, are the part.
+std::unique_ptr<Meridian> meridianOf(const PartSurface& part,
+                                     const Axis& axis,
+                                     const Substrate& substrate,
+                                     const JobContext& context) {
+  std::optional<Error> refused;
+  for (const Vec3& radial : meridianDirections(part, axis)) {
+    context.check();
+    auto meridian = std::make_unique<Meridian>(part, axis, radial, substrate, context);
+    if (meridian->profiles().empty()) {
+      continue;
+    }
+    try {
+      requireRevolution(part, axis, *meridian);
+      return meridian;
+    } catch (const Error& error) {
+      refused = refused ? refused : error;
+    }
+  }
+  throw refused ? *refused
+                : Error(ErrorCode::JobFailed, "the axis' half planes do not meet the part",
+                        "iso-parametric slicing", "check the axis and the part's place");
+}
+
+}  // namespace
+
 SlicedLayers sliceRevolution(const std::vector<std::shared_ptr<const PartSurface>>& parts,
                              const Substrate& substrate,
                              const RevolutionOptions& options,
                              const Sampling& sampling,
                              const JobContext& context) {
-  if (!(options.step > 0.0)) {
+  const LayerWish& wish = options.layers;
+  if (!(wish.step > 0.0)) {
     throw Error(ErrorCode::InvalidArgument, "the step must be positive", "slicing");
   }
   SlicedLayers sliced;
@@ -454,18 +641,33 @@ SlicedLayers sliceRevolution(const std::vector<std::shared_ptr<const PartSurface
   for (std::size_t k = 0; k < parts.size(); ++k) {
     context.check();
     const Axis axis = axisOf(*parts[k], substrate, options);
-    const Meridian meridian(*parts[k], axis, substrate, context);
-    if (meridian.profiles().empty()) {
-      throw Error(ErrorCode::JobFailed, "the axis' half planes do not meet the part",
-                  "iso-parametric slicing", "check the axis and the part's place");
-    }
-    requireRevolution(*parts[k], axis, meridian);
-    for (const Profile& profile : meridian.profiles()) {
-      sliceProfile(profile, substrate, axis, meridian.radial(), static_cast<int>(k), options,
-                   sampling, sliced.layers);
+    const std::unique_ptr<Meridian> meridian = meridianOf(*parts[k], axis, substrate, context);
+    const ParallelCutter cutter(*parts[k], axis, substrate, roundnessOf(*parts[k]));
+    for (const Profile& profile : meridian->profiles()) {
+      const ProfileTask task{profile,
+                             substrate,
+                             axis,
+                             meridian->radial(),
+                             options,
+                             std::max(options.leastRadius, sampling.chordError),
+                             geometry::flatTolerance(parts[k]->mesh)};
+      const bool border = task.endsInBorder();
+      const double step = border && wish.last == LastLayer::Fit ? fittedStep(task) : wish.step;
+      sliceProfile(task, step, cutter, static_cast<int>(k), sampling, sliced.layers);
+      if (border) {
+        const Walked all = walked(task, step, sliced.layers.size());
+        const double height = (wish.firstLayer + static_cast<double>(all.layers) - 1.0) * step;
+        std::vector<double> ends(k + 1, std::numeric_limits<double>::quiet_NaN());
+        ends.back() = height + all.rest;
+        reportSteps(ends, {{height, axis.direction, step}}, wish, step, task.tolerance, context);
+      }
     }
     context.report(static_cast<double>(k + 1) / static_cast<double>(parts.size()));
   }
+  sliced.layers.erase(
+      std::remove_if(sliced.layers.begin(), sliced.layers.end(),
+                     [](const SlicedLayer& layer) { return layer.contours.empty(); }),
+      sliced.layers.end());
   if (sliced.layers.empty()) {
     throw Error(ErrorCode::JobFailed, "no layer fits on the part", "slicing",
                 "choose a smaller step");

@@ -31,8 +31,11 @@ constexpr std::size_t kLevelGrain = 4;
 constexpr double kFieldSnap = 1e-11;
 /// A contour shorter than this part of the part's size is a point: a pole or a tangent plane.
 constexpr double kPointContour = 1e-6;
-/// Below the substrate by more than this part of the part's size counts as below.
-constexpr double kOnSubstrate = 1e-7;
+/// Below the substrate by more than so many tolerances of a flat face counts as below: a base with
+/// noise lies on its plate.
+constexpr double kOnSubstrate = 4.0;
+/// A mesh edge shorter than this part of the part's size says nothing about a field's slope.
+constexpr double kLongEdge = 0.01;
 
 /// Field value per vertex; vertices of torn triangles become NaN only when the field may tear.
 std::vector<double> fieldOf(const geometry::PartSurface& part,
@@ -84,6 +87,32 @@ std::optional<geometry::PartSurface> withoutTears(const geometry::PartSurface& p
   return cut;
 }
 
+/// Change of a field's value per mm where it grows as the layers do.
+double unitsPerMm(const geometry::TriangleMesh& mesh,
+                  const std::vector<double>& scalar,
+                  const std::vector<LayerLevel>& levels) {
+  double height = 0.0;
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    height += levels[l].nominalHeight;
+  }
+  if (height > 0.0) {
+    return (levels.back().value - levels.front().value) / height;
+  }
+  // A single layer: the field's greatest slope.
+  const double least = kLongEdge * mesh.bounds().diagonal();
+  double slope = 0.0;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = t[c];
+      const std::uint32_t b = t[(c + 1) % 3];
+      const double length = (mesh.vertices[a] - mesh.vertices[b]).norm();
+      const double rise = std::abs(scalar[a] - scalar[b]);
+      slope = length > least && std::isfinite(rise) ? std::max(slope, rise / length) : slope;
+    }
+  }
+  return slope;
+}
+
 struct LevelResult {
   std::vector<Contour> contours;
   std::vector<Diagnostic> findings;
@@ -92,8 +121,10 @@ struct LevelResult {
 };
 
 /// @param size diagonal of the part's bounds, mm
+/// @param flat tolerance of flat faces, mm
 void traceOneLevel(const geometry::PartSurface& part,
                    double size,
+                   double flat,
                    int partIndex,
                    const std::vector<geometry::LevelContour>& contours,
                    const LayerField* field,
@@ -107,7 +138,7 @@ void traceOneLevel(const geometry::PartSurface& part,
     evaluator.emplace(*part.brep);
   }
   for (const geometry::LevelContour& contour : contours) {
-    LevelCurve curve(part, evaluator ? &*evaluator : nullptr, field, level, size);
+    LevelCurve curve(part, evaluator ? &*evaluator : nullptr, field, level, size, flat);
     result.unrefined += curve.assign(contour);
     if (curve.length() <= kPointContour * size) {
       const Vec3 p = contour.points.front();
@@ -120,7 +151,7 @@ void traceOneLevel(const geometry::PartSurface& part,
            {{"level", levelValue}, {"x_mm", p.x()}, {"y_mm", p.y()}, {"z_mm", p.z()}}});
       continue;
     }
-    std::vector<LevelCurve> kept = curve.keepAbove(substrate, kOnSubstrate * std::max(size, 1.0));
+    std::vector<LevelCurve> kept = curve.keepAbove(substrate, kOnSubstrate * flat);
     result.anyBelow = result.anyBelow || kept.size() != 1 || kept[0].closed() != curve.closed();
     for (const LevelCurve& piece : kept) {
       if (piece.length() > kPointContour * size) {
@@ -165,11 +196,15 @@ std::vector<double> valuesOf(const std::vector<LayerLevel>& levels) {
 }
 
 /// Traces all levels on one part into `results`.
+/// @param flat tolerance of flat faces and borders, mm
+/// @param border of borders, where that is more, mm
 /// @param field null when `scalar` is all that is known
 void tracePart(const geometry::PartSurface& part,
                int partIndex,
                const std::vector<double>& scalar,
                double snap,
+               double flat,
+               double border,
                const LayerField* field,
                const std::vector<LayerLevel>& levels,
                const Substrate& substrate,
@@ -177,8 +212,9 @@ void tracePart(const geometry::PartSurface& part,
                std::vector<LevelResult>& results,
                const JobContext& context) {
   const double size = part.mesh.bounds().diagonal();
-  const auto curves =
-      geometry::traceLevels(part.mesh, part.halfEdges, scalar, valuesOf(levels), snap, context);
+  const double unit = unitsPerMm(part.mesh, scalar, levels);
+  const auto curves = geometry::traceLevels(part.mesh, part.halfEdges, scalar, valuesOf(levels),
+                                            {snap, flat * unit, border * unit}, context);
   context.report(0.3);
   std::atomic<std::size_t> done{0};
   parallelForChunks(
@@ -186,8 +222,8 @@ void tracePart(const geometry::PartSurface& part,
       [&](std::size_t from, std::size_t to) {
         for (std::size_t l = from; l < to; ++l) {
           context.check();
-          traceOneLevel(part, size, partIndex, curves[l], field, l, levels[l].value, substrate,
-                        sampling, results[l]);
+          traceOneLevel(part, size, flat, partIndex, curves[l], field, l, levels[l].value,
+                        substrate, sampling, results[l]);
         }
         context.report(0.3 + 0.7 * static_cast<double>(done += to - from) /
                                  static_cast<double>(levels.size()));
@@ -246,8 +282,8 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
     const auto cut = withoutTears(*parts[k], field, scalar);
     const geometry::PartSurface& part = cut ? *cut : *parts[k];
     const double snap = kFieldSnap * std::max(1.0, part.mesh.bounds().diagonal());
-    tracePart(part, static_cast<int>(k), scalar, snap, &field, levels, substrate, sampling, results,
-              portion);
+    tracePart(part, static_cast<int>(k), scalar, snap, geometry::flatTolerance(part.mesh), 0.0,
+              &field, levels, substrate, sampling, results, portion);
   }
   return assemble(std::move(results), levels, context);
 }
@@ -273,7 +309,8 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
     for (const double value : scalar) {
       largest = std::isnan(value) ? largest : std::max(largest, std::abs(value));
     }
-    tracePart(*parts[k], static_cast<int>(k), scalar, kFieldSnap * largest, nullptr, levels,
+    tracePart(*parts[k], static_cast<int>(k), scalar, kFieldSnap * largest,
+              geometry::flatTolerance(parts[k]->mesh), field.borderTolerance, nullptr, levels,
               substrate, sampling, results, partPortion(context, k, parts.size()));
   }
   return assemble(std::move(results), levels, context);

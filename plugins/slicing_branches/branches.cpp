@@ -4,6 +4,7 @@
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/toolpath/field_heights.hpp"
 #include "wcam/toolpath/onto_parts.hpp"
+#include "wcam/toolpath/plane_field.hpp"
 
 #include "piece_layers.hpp"
 
@@ -20,6 +21,7 @@ using branches::Order;
 struct Params {
   Length step = 2.0_mm;
   double firstLayer = 1.0;
+  toolpath::LastLayer last = toolpath::LastLayer::Fit;
   Field field = Field::Height;
   Order order = Order::Level;
   std::string pieces;
@@ -29,68 +31,74 @@ struct Params {
   static const Schema<Params>& schema();
 };
 
+Schema<Params> makeSchema() {
+  Schema<Params> schema;
+  schema
+      .add(&Params::step, {.key = "step",
+                           .label = "Layer height",
+                           .help = "Wanted height of a layer; with iso-values the mean of each "
+                                   "piece, rounded to whole layers.",
+                           .group = "Layers",
+                           .min = 0.01,
+                           .max = 1000.0})
+      .add(&Params::firstLayer,
+           {.key = "first_layer",
+            .label = "First layer, in steps",
+            .help = "Place of the first layer above the base; 0 puts it on the base.",
+            .group = "Layers",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 1.0})
+      .add(&Params::field,
+           {.key = "field",
+            .label = "Layers follow",
+            .help = "The field whose saddles cut the part into branches and whose level curves "
+                    "are the layers.",
+            .group = "Branches",
+            .choices = {{"height", "Planes across the build direction"},
+                        {"geodesic", "The distance from the base along the wall"},
+                        {"isovalues", "The borders and cuts of each piece"}}})
+      .add(&Params::order, {.key = "order",
+                            .label = "Order of the pieces",
+                            .help = "A piece is never built before what it stands on.",
+                            .group = "Branches",
+                            .choices = {{"level", "Layer by layer over all branches"},
+                                        {"bottom", "Piece by piece, the lowest first"},
+                                        {"depth", "Piece by piece, upwards along each branch"},
+                                        {"nearest", "Piece by piece, the nearest next"}}})
+      .add(&Params::pieces,
+           {.key = "pieces",
+            .label = "Strategies of single pieces",
+            .help = "What slices a piece instead of the common field: 1=spiral, 3=isovalues; "
+                    "*=spiral for all others. Methods: common, geodesic (distance from the "
+                    "lower end of the piece), isovalues, spiral (one bead; its heights stay "
+                    "inside the process's range). Pieces count from 0, the lowest first, as "
+                    "the finding slicing.branches lists them.",
+            .group = "Branches",
+            .level = ParamLevel::Advanced})
+      .add(&Params::leastBranch,
+           {.key = "least_branch",
+            .label = "Least branch",
+            .help = "What spans less than this is a bump, not a branch; 0 takes the step.",
+            .group = "Branches",
+            .level = ParamLevel::Advanced,
+            .min = 0.0,
+            .max = 1e4})
+      .add(&Params::edge,
+           {.key = "edge_length",
+            .label = "Mesh edge length",
+            .help = "Fineness of the mesh that carries the field; 0 follows from the step.",
+            .group = "Branches",
+            .level = ParamLevel::Expert,
+            .min = 0.0,
+            .max = 1e4,
+            .enabledIf = "field!=height"});
+  toolpath::addLastLayer(schema, &Params::last, "field=height");
+  return schema;
+}
+
 const Schema<Params>& Params::schema() {
-  static const Schema<Params> schema =
-      Schema<Params>{}
-          .add(&Params::step, {.key = "step",
-                               .label = "Layer height",
-                               .help = "Wanted height of a layer; with iso-values the mean of each "
-                                       "piece, rounded to whole layers.",
-                               .group = "Layers",
-                               .min = 0.01,
-                               .max = 1000.0})
-          .add(&Params::firstLayer,
-               {.key = "first_layer",
-                .label = "First layer, in steps",
-                .help = "Place of the first layer above the base; 0 puts it on the base.",
-                .group = "Layers",
-                .level = ParamLevel::Advanced,
-                .min = 0.0,
-                .max = 1.0})
-          .add(&Params::field,
-               {.key = "field",
-                .label = "Layers follow",
-                .help = "The field whose saddles cut the part into branches and whose level curves "
-                        "are the layers.",
-                .group = "Branches",
-                .choices = {{"height", "Planes across the build direction"},
-                            {"geodesic", "The distance from the base along the wall"},
-                            {"isovalues", "The borders and cuts of each piece"}}})
-          .add(&Params::order, {.key = "order",
-                                .label = "Order of the pieces",
-                                .help = "A piece is never built before what it stands on.",
-                                .group = "Branches",
-                                .choices = {{"level", "Layer by layer over all branches"},
-                                            {"bottom", "Piece by piece, the lowest first"},
-                                            {"depth", "Piece by piece, upwards along each branch"},
-                                            {"nearest", "Piece by piece, the nearest next"}}})
-          .add(&Params::pieces,
-               {.key = "pieces",
-                .label = "Strategies of single pieces",
-                .help = "What slices a piece instead of the common field: 1=spiral, 3=isovalues; "
-                        "*=spiral for all others. Methods: common, geodesic (distance from the "
-                        "lower end of the piece), isovalues, spiral (one bead; its heights stay "
-                        "inside the process's range). Pieces count from 0, the lowest first, as "
-                        "the finding slicing.branches lists them.",
-                .group = "Branches",
-                .level = ParamLevel::Advanced})
-          .add(&Params::leastBranch,
-               {.key = "least_branch",
-                .label = "Least branch",
-                .help = "What spans less than this is a bump, not a branch; 0 takes the step.",
-                .group = "Branches",
-                .level = ParamLevel::Advanced,
-                .min = 0.0,
-                .max = 1e4})
-          .add(&Params::edge,
-               {.key = "edge_length",
-                .label = "Mesh edge length",
-                .help = "Fineness of the mesh that carries the field; 0 follows from the step.",
-                .group = "Branches",
-                .level = ParamLevel::Expert,
-                .min = 0.0,
-                .max = 1e4,
-                .enabledIf = "field!=height"});
+  static const Schema<Params> schema = makeSchema();
   return schema;
 }
 
@@ -108,6 +116,14 @@ public:
         params.leastBranch.value() > 0.0 ? params.leastBranch.value() : params.step.value();
     options.edge = params.edge.value();
     options.methods = branches::parsePieceMethods(params.pieces);
+    if (params.field == Field::Height) {
+      const toolpath::LayerWish wish{options.step, options.firstLayer, params.last,
+                                     input.bead.heightMin, input.bead.heightMax};
+      const toolpath::PlaneStack stack =
+          toolpath::planeStack(input.parts, *input.substrate, {wish, 0.0, std::nullopt});
+      toolpath::reportSteps(stack.ends, stack.levels, wish, stack.step, stack.tolerance, context);
+      options.step = stack.step;
+    }
     std::vector<branches::PieceLayers> pieces;
     bool any = false;
     for (std::size_t k = 0; k < input.parts.size(); ++k) {

@@ -66,8 +66,8 @@ private:
     const PartSurface& part = *input_.parts[part_];
     if (options_.field == Field::Height) {
       toolpath::PlaneStackOptions stack;
-      stack.step = options_.step;
-      stack.firstLayer = options_.firstLayer;
+      stack.layers.step = options_.step;
+      stack.layers.firstLayer = options_.firstLayer;
       stack_ = toolpath::planeStack(input_.parts, *input_.substrate, stack);
       wall_ = options_.methods.common() ? part : fineWall();
       for (const Vec3& p : wall_.mesh.vertices) {

@@ -231,7 +231,9 @@ public:
                                    const JobContext& context) const override {
     const Params params = Params::schema().read(values, "bulk slicing");
     const toolpath::PlaneStack stack =
-        toolpath::planeStack(input.parts, *input.substrate, params.planes());
+        toolpath::planeStack(input.parts, *input.substrate, params.planes(input.bead));
+    toolpath::reportSteps(stack.ends, stack.levels, params.planes(input.bead).layers, stack.step,
+                          stack.tolerance, context);
     const LayerFiller filler(input, params, stack);
     SlicedLayers sliced = sections(input, stack, context.portion(0.0, 0.3, "sections"));
     if (params.openSections == OpenSections::Refuse) {
@@ -299,7 +301,7 @@ void registerComponents(plugin::Registrar& registrar) {
       {.id = "wcam.slicing.bulk",
        .name = "Filled planar layers",
        .summary = "Planar layers of a solid, filled with walls and a pattern at the bead overlap.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params()},
       [] { return std::make_unique<BulkSlicing>(); });
 }

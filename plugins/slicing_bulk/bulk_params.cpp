@@ -196,8 +196,11 @@ const Schema<Params>& Params::schema() {
   return schema;
 }
 
-toolpath::PlaneStackOptions Params::planes() const {
-  toolpath::PlaneStackOptions options{step.value(), firstLayer, endHeight.value(), std::nullopt};
+toolpath::PlaneStackOptions Params::planes(const toolpath::BeadRange& process) const {
+  toolpath::PlaneStackOptions options{
+      {step.value(), firstLayer, last, process.heightMin, process.heightMax},
+      endHeight.value(),
+      std::nullopt};
   if (customDirection) {
     options.direction = toolpath::Vec3(direction[0], direction[1], direction[2]);
   }

@@ -14,6 +14,7 @@ enum class OpenSections { Refuse, Bead };
 struct Params {
   Length step = 2.0_mm;
   double firstLayer = 1.0;
+  toolpath::LastLayer last = toolpath::LastLayer::Fit;
   Length endHeight = 0.0_mm;
   bool customDirection = false;
   std::array<double, 3> direction{0.0, 0.0, 1.0};
@@ -37,7 +38,7 @@ struct Params {
 
   static const Schema<Params>& schema();
 
-  [[nodiscard]] toolpath::PlaneStackOptions planes() const;
+  [[nodiscard]] toolpath::PlaneStackOptions planes(const toolpath::BeadRange& process) const;
   /// @param process what the operation's process deposits
   /// @throws Error(InvalidArgument) when the range of widths does not hold the width
   [[nodiscard]] toolpath::FillOptions fill(const toolpath::BeadRange& process,

@@ -4,6 +4,7 @@
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/skeleton.hpp"
 #include "wcam/plugin/plugin.hpp"
+#include "wcam/toolpath/layer_levels.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
 #include <algorithm>
@@ -19,33 +20,35 @@ struct Params {
   bool automatic = false;
   Length step = 2.0_mm;
   double firstLayer = 1.0;
+  toolpath::LastLayer last = toolpath::LastLayer::Fit;
 
   static const Schema<Params>& schema() {
-    static const Schema<Params> schema =
-        Schema<Params>{}
-            .add(
-                &Params::automatic,
-                {.key = "automatic_guide",
-                 .label = "Automatic guide",
-                 .help = "Takes the axis of a tube-like part as guide, from its lower to its upper "
-                         "end, instead of a guide of the project.",
-                 .group = "Guide"})
-            .add(&Params::step,
-                 {.key = "step",
-                  .label = "Layer step",
-                  .help = "Chord of the guide between neighbouring planes (Chalvin A8).",
-                  .group = "Layers",
-                  .min = 0.01,
-                  .max = 1000.0})
-            .add(&Params::firstLayer,
-                 {.key = "first_layer",
-                  .label = "First layer, in steps",
-                  .help =
-                      "Place of the first plane along the guide; 0 puts it at the guide's start.",
-                  .group = "Layers",
-                  .level = ParamLevel::Advanced,
-                  .min = 0.0,
-                  .max = 100.0});
+    static const Schema<Params> schema = [] {
+      Schema<Params> s;
+      s.add(&Params::automatic,
+            {.key = "automatic_guide",
+             .label = "Automatic guide",
+             .help = "Takes the axis of a tube-like part as guide, from its lower to its upper "
+                     "end, instead of a guide of the project.",
+             .group = "Guide"})
+          .add(&Params::step,
+               {.key = "step",
+                .label = "Layer step",
+                .help = "Chord of the guide between neighbouring planes (Chalvin A8).",
+                .group = "Layers",
+                .min = 0.01,
+                .max = 1000.0})
+          .add(&Params::firstLayer,
+               {.key = "first_layer",
+                .label = "First layer, in steps",
+                .help = "Place of the first plane along the guide; 0 puts it at the guide's start.",
+                .group = "Layers",
+                .level = ParamLevel::Advanced,
+                .min = 0.0,
+                .max = 100.0});
+      toolpath::addLastLayer(s, &Params::last);
+      return s;
+    }();
     return schema;
   }
 };
@@ -205,27 +208,79 @@ public:
                                                     context.portion(0.0, 0.3, "guide"))
                          : input.guide;
     const geometry::GuideCurve& guide = *chosen;
-    const std::vector<double> parameters = planeParameters(guide, params);
+    const toolpath::LayerWish wish{params.step.value(), params.firstLayer, params.last,
+                                   input.bead.heightMin, input.bead.heightMax};
+    const double step =
+        params.last == toolpath::LastLayer::Fit ? fittedStep(guide, wish) : wish.step;
+    const std::vector<double> parameters = planeParameters(guide, step, wish.firstLayer);
     if (parameters.empty()) {
       throw Error(ErrorCode::JobFailed, "the guide is shorter than the first layer",
                   "slicing normal to a guide", "choose a smaller step");
     }
     std::vector<toolpath::LayerLevel> levels;
     for (const double t : parameters) {
-      levels.push_back({t, guide.evaluate(t).d1.normalized(), params.step.value()});
+      levels.push_back({t, guide.evaluate(t).d1.normalized(), step});
     }
     const GuidePlaneField field(guide, parameters);
     toolpath::SlicedLayers sliced = toolpath::sliceByField(
         input.parts, field, levels, *input.substrate, input.sampling, context);
+    reportSteps(guide, parameters.back(), wish, step, context);
     reportCrossings(sliced, guide, context);
     return sliced;
   }
 
 private:
+  /// Lengths along a guide that are less than this are rounding of its chords, mm.
+  static constexpr double kOnEnd = 1e-6;
+
+  /// The step whose chords end on the guide's end; the wanted one where that ends there, or where
+  /// the guide is too short.
+  static double fittedStep(const geometry::GuideCurve& guide, const toolpath::LayerWish& wish) {
+    const double rest = restOf(guide, planeParameters(guide, wish.step, wish.firstLayer));
+    if (rest <= kOnEnd) {
+      return wish.step;
+    }
+    const double length = geometry::arcLength(guide, guide.begin(), guide.end());
+    const toolpath::LayerSteps arcs = toolpath::layersUpTo(length, wish, kOnEnd);
+    if (arcs.step == wish.step) {
+      return wish.step;
+    }
+    // Chords are shorter than arcs: the greatest step that still gives this many planes.
+    double low = 0.5 * arcs.step;
+    double high = arcs.step;
+    if (planeParameters(guide, high, wish.firstLayer).size() >= arcs.count) {
+      return high;
+    }
+    constexpr int kBisections = 30;
+    for (int i = 0; i < kBisections; ++i) {
+      const double middle = 0.5 * (low + high);
+      (planeParameters(guide, middle, wish.firstLayer).size() >= arcs.count ? low : high) = middle;
+    }
+    return low;
+  }
+
+  /// Length of the guide beyond the last plane, mm.
+  static double restOf(const geometry::GuideCurve& guide, const std::vector<double>& parameters) {
+    return geometry::arcLength(guide, parameters.empty() ? guide.begin() : parameters.back(),
+                               guide.end());
+  }
+
+  static void reportSteps(const geometry::GuideCurve& guide,
+                          double last,
+                          const toolpath::LayerWish& wish,
+                          double step,
+                          const JobContext& context) {
+    const double length = geometry::arcLength(guide, guide.begin(), guide.end());
+    const double rest = geometry::arcLength(guide, last, guide.end());
+    toolpath::reportSteps({length}, {{length - rest, Vec3::UnitZ(), step}}, wish, step, kOnEnd,
+                          context);
+  }
+
   static std::vector<double> planeParameters(const geometry::GuideCurve& guide,
-                                             const Params& params) {
+                                             double step,
+                                             double firstLayer) {
     double from = guide.begin();
-    const double offset = params.firstLayer * params.step.value();
+    const double offset = firstLayer * step;
     if (offset > 0.0) {
       const std::vector<double> first = geometry::chordSteps(guide, offset, from);
       if (first.size() < 2) {
@@ -233,7 +288,7 @@ private:
       }
       from = first[1];
     }
-    return geometry::chordSteps(guide, params.step.value(), from);
+    return geometry::chordSteps(guide, step, from);
   }
 };
 
@@ -242,7 +297,7 @@ void registerComponents(plugin::Registrar& registrar) {
       {.id = "wcam.slicing.guide",
        .name = "Normal to a guide",
        .summary = "Planes perpendicular to a guide curve, at a constant chord along it.",
-       .version = 2,
+       .version = 3,
        .params = Params::schema().params(),
        .needsGuide = true,
        .automaticGuide = "automatic_guide"},

@@ -15,6 +15,7 @@ enum class Measure { Chord, Arc };
 struct Params {
   Length step = 2.0_mm;
   double firstLayer = 1.0;
+  toolpath::LastLayer last = toolpath::LastLayer::Fit;
   Mode mode = Mode::Auto;
   Measure measure = Measure::Chord;
   Length leastRadius = 0.0_mm;
@@ -51,6 +52,7 @@ private:
            .level = ParamLevel::Advanced,
            .min = 0.0,
            .max = 100.0});
+    toolpath::addLastLayer(s, &Params::last);
     s.add(&Params::mode,
           {.key = "mode",
            .label = "Curves",
@@ -140,12 +142,16 @@ public:
   }
 
 private:
+  static toolpath::LayerWish wishOf(const plugin::SliceInput& input, const Params& params) {
+    return {params.step.value(), params.firstLayer, params.last, input.bead.heightMin,
+            input.bead.heightMax};
+  }
+
   static toolpath::SlicedLayers byRevolution(const plugin::SliceInput& input,
                                              const Params& params,
                                              const JobContext& context) {
     toolpath::RevolutionOptions options;
-    options.step = params.step.value();
-    options.firstLayer = params.firstLayer;
+    options.layers = wishOf(input, params);
     options.arcLength = params.measure == Measure::Arc;
     options.leastRadius = params.leastRadius.value();
     if (params.customAxis) {
@@ -163,8 +169,7 @@ private:
                                         const Params& params,
                                         const JobContext& context) {
     toolpath::FaceIsoOptions options;
-    options.step = params.step.value();
-    options.firstLayer = params.firstLayer;
+    options.layers = wishOf(input, params);
     options.direction = params.direction;
     return toolpath::sliceFaceIso(input.parts, *input.substrate, options, input.sampling, context);
   }
@@ -176,7 +181,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Iso-parametric",
        .summary = "Parallels of a body of revolution at constant distance, or layers by the "
                   "parameters of the faces.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params()},
       [] { return std::make_unique<IsoparamSlicing>(); });
 }

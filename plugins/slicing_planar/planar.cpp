@@ -19,6 +19,7 @@ struct Params {
   Length step = 2.0_mm;
   double firstLayer = 1.0;
   Length endHeight = 0.0_mm;
+  toolpath::LastLayer last = toolpath::LastLayer::Fit;
   Surface surface = Surface::Planes;
   bool adaptive = false;
   bool customDirection = false;
@@ -59,6 +60,7 @@ private:
            .level = ParamLevel::Advanced,
            .min = 0.0,
            .max = 1e6});
+    toolpath::addLastLayer(s, &Params::last);
   }
 
   static void addShape(Schema<Params>& s) {
@@ -96,18 +98,20 @@ public:
                                              const Value& values,
                                              const JobContext& context) const override {
     const Params params = Params::schema().read(values, "planar slicing");
+    const toolpath::LayerWish wish{params.step.value(), params.firstLayer, params.last,
+                                   input.bead.heightMin, input.bead.heightMax};
     if (params.surface == Surface::Substrate) {
-      const std::vector<toolpath::LayerLevel> levels =
-          toolpath::heightLevels(input.parts, *input.substrate, params.step.value(),
-                                 params.firstLayer, params.endHeight.value());
+      const toolpath::HeightLevels heights =
+          toolpath::heightLevels(input.parts, *input.substrate, wish, params.endHeight.value());
+      const std::vector<toolpath::LayerLevel>& levels = heights.levels;
       toolpath::SlicedLayers sliced =
           toolpath::sliceByField(input.parts, toolpath::HeightField(*input.substrate, levels),
                                  levels, *input.substrate, input.sampling, context);
       sliced.curved = !input.substrate->isPlate();
+      toolpath::reportSteps(heights.ends, levels, wish, heights.step, heights.tolerance, context);
       return sliced;
     }
-    toolpath::PlaneStackOptions options{params.step.value(), params.firstLayer,
-                                        params.endHeight.value(), std::nullopt};
+    toolpath::PlaneStackOptions options{wish, params.endHeight.value(), std::nullopt};
     if (params.customDirection) {
       options.direction = Vec3(params.direction[0], params.direction[1], params.direction[2]);
     }
@@ -115,6 +119,7 @@ public:
         params.adaptive ? toolpath::adaptivePlanes(input.parts, *input.substrate, options,
                                                    input.bead, input.sampling, context)
                         : toolpath::planeStack(input.parts, *input.substrate, options);
+    toolpath::reportSteps(stack.ends, stack.levels, wish, stack.step, stack.tolerance, context);
     return toolpath::sliceByField(input.parts, toolpath::PlaneField(stack), stack.levels,
                                   *input.substrate, input.sampling, context);
   }
@@ -126,7 +131,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Planar slicing",
        .summary = "Parallel planes at a constant step or at adaptive heights, in any build "
                   "direction; or the substrate's surface moved up.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params()},
       [] { return std::make_unique<PlanarSlicing>(); });
 }

@@ -3,8 +3,10 @@
 
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/geometry/level_set.hpp"
 #include "wcam/geometry/refine.hpp"
 #include "wcam/plugin/plugin.hpp"
+#include "wcam/toolpath/layer_levels.hpp"
 #include "wcam/toolpath/onto_parts.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
@@ -36,6 +38,7 @@ struct Params {
   Length start = 0.0_mm;
   double firstLayer = 1.0;
   Length end = 0.0_mm;
+  toolpath::LastLayer last = toolpath::LastLayer::Fit;
   Angle startAngle = 0.0_deg;
   Angle sweep = 360.0_deg;
   Length stepRadius = 0.0_mm;
@@ -312,24 +315,69 @@ toolpath::Substrate nothingBelow(const toolpath::Substrate& substrate, double si
   return toolpath::Substrate(pose, Vec3(1.0, 1.0, 1.0));
 }
 
-std::vector<toolpath::LayerLevel> levelsFrom(
-    double start, double high, double step, const Params& params, const Vec3& up, double nominal) {
-  const double end =
-      params.end.value() > 0.0 ? std::min(high, start + params.end.value() * step / nominal) : high;
-  constexpr double kRounding = 1e-9;
-  constexpr std::size_t kMostLevels = 1000000;
-  if ((end - start) / step > static_cast<double>(kMostLevels)) {
-    throw Error(ErrorCode::InvalidArgument, "the step gives more than a million layers", "step",
-                "choose a larger step");
-  }
-  std::vector<toolpath::LayerLevel> levels;
-  for (std::size_t k = 0;; ++k) {
-    const double value = start + (params.firstLayer + static_cast<double>(k)) * step;
-    if (value > end + kRounding * step) {
-      return levels;
+/// Heights above the start at which the parts end in a face or a border, mm; NaN for the others.
+/// @param unit change of the field's value per mm
+template <class Function>
+std::vector<double> endsOf(const plugin::SliceInput& input,
+                           const Function& value,
+                           double start,
+                           double unit,
+                           double tolerance) {
+  std::vector<double> ends;
+  for (const auto& part : input.parts) {
+    std::vector<double> heights;
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vec3& p : part->mesh.vertices) {
+      heights.push_back((value(p) - start) / unit);
+      most = std::max(most, heights.back());
     }
-    levels.push_back({value, up, nominal});
+    const bool flat = toolpath::endsFlat(part->mesh, part->halfEdges, heights, 2.0 * tolerance);
+    ends.push_back(flat ? most : std::numeric_limits<double>::quiet_NaN());
   }
+  return ends;
+}
+
+double flatToleranceOf(const plugin::SliceInput& input) {
+  double tolerance = 0.0;
+  for (const auto& part : input.parts) {
+    tolerance = std::max(tolerance, geometry::flatTolerance(part->mesh));
+  }
+  return tolerance;
+}
+
+/// Levels of a field from its value `start` on.
+/// @param ends heights at which the parts end, mm
+/// @param height of the last level at most, mm
+/// @param cut whether the layers end before the parts do, as is wanted
+std::vector<toolpath::LayerLevel> levelsFrom(double start,
+                                             double unit,
+                                             const std::vector<double>& ends,
+                                             double height,
+                                             bool cut,
+                                             const toolpath::LayerWish& wanted,
+                                             double tolerance,
+                                             const Vec3& up,
+                                             const JobContext& context) {
+  toolpath::LayerWish wish = wanted;
+  double flat = -1.0;
+  for (const double end : ends) {
+    flat = std::isnan(end) ? flat : std::max(flat, end);
+  }
+  if (flat > 0.0) {
+    wish.step = toolpath::layersUpTo(flat, wish, tolerance).step;
+  }
+  wish.last = toolpath::LastLayer::Leave;
+  const toolpath::LayerSteps steps = toolpath::layersUpTo(height, wish, tolerance);
+  std::vector<toolpath::LayerLevel> heights;
+  std::vector<toolpath::LayerLevel> levels;
+  for (std::size_t k = 0; k < steps.count; ++k) {
+    const double h = (wish.firstLayer + static_cast<double>(k)) * steps.step;
+    heights.push_back({h, up, steps.step});
+    levels.push_back({start + h * unit, up, steps.step});
+  }
+  toolpath::reportSteps(cut ? std::vector<double>{} : ends, heights, wanted, steps.step, tolerance,
+                        context);
+  return levels;
 }
 
 class RadialSlicing : public plugin::SlicingStrategy {
@@ -381,9 +429,14 @@ private:
     RevolvedField field(axis, params.shape, params.coneAngle.value());
     const Extent extent = extentOf(input, [&](const Vec3& p) { return field.scalar(p); });
     const double start = params.start.value() > 0.0 ? params.start.value() : extent.low;
-    const double step = params.step.value();
-    const std::vector<toolpath::LayerLevel> levels =
-        levelsFrom(start, extent.high, step, params, axis.z, step);
+    const double tolerance = flatToleranceOf(input);
+    const double height = extent.high - start;
+    const bool cut = params.end.value() > 0.0 && params.end.value() < height;
+    const std::vector<toolpath::LayerLevel> levels = levelsFrom(
+        start, 1.0,
+        endsOf(
+            input, [&](const Vec3& p) { return field.scalar(p); }, start, 1.0, tolerance),
+        cut ? params.end.value() : height, cut, wishOf(params, input), tolerance, axis.z, context);
     requireLevels(levels, start, extent);
     field.setLevels(levels);
     toolpath::SlicedLayers sliced =
@@ -408,11 +461,16 @@ private:
     const double step = 2.0 * std::asin(std::min(1.0, 0.5 * params.step.value() / stepRadius));
     AngleField field(axis, params.startAngle.value(), radius.low);
     const Extent angles = extentOf(input, [&](const Vec3& p) { return field.scalar(p); });
-    Params own = params;
-    own.end = Length(0.0);
-    const double high = std::min(angles.high, params.sweep.value());
-    const std::vector<toolpath::LayerLevel> levels =
-        levelsFrom(std::max(0.0, angles.low), high, step, own, axis.z, params.step.value());
+    const double start = std::max(0.0, angles.low);
+    const double unit = step / params.step.value();
+    const double tolerance = flatToleranceOf(input);
+    const bool cut = params.sweep.value() < angles.high;
+    const double high = cut ? params.sweep.value() : angles.high;
+    const std::vector<toolpath::LayerLevel> levels = levelsFrom(
+        start, unit,
+        endsOf(
+            input, [&](const Vec3& p) { return field.scalar(p); }, start, unit, tolerance),
+        (high - start) / unit, cut, wishOf(params, input), tolerance, axis.z, context);
     requireLevels(levels, 0.0, angles);
     field.setLevels(levels);
     toolpath::SlicedLayers sliced =
@@ -426,6 +484,11 @@ private:
       }
     }
     return sliced;
+  }
+
+  static toolpath::LayerWish wishOf(const Params& params, const plugin::SliceInput& input) {
+    return {params.step.value(), params.firstLayer, params.last, input.bead.heightMin,
+            input.bead.heightMax};
   }
 
   static void requireLevels(const std::vector<toolpath::LayerLevel>& levels,

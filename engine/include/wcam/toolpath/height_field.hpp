@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/toolpath/layer_levels.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
 #include <vector>
@@ -28,14 +29,20 @@ private:
   const std::vector<LayerLevel>& levels_;
 };
 
+/// Layers above a substrate.
+struct HeightLevels {
+  std::vector<LayerLevel> levels;
+  double step = 0.0;         ///< that the layers got, mm
+  std::vector<double> ends;  ///< as in PlaneStack
+  double tolerance = 0.0;    ///< of the parts' flat faces, mm
+};
+
 /// Levels firstLayer·step, (firstLayer + 1)·step, … up to the highest point of the parts above the
 /// substrate. @throws Error(JobFailed) when all of it lies below, Error(InvalidArgument) for a step
 /// that gives over a million levels
-std::vector<LayerLevel> heightLevels(
-    const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
-    const Substrate& substrate,
-    double step,
-    double firstLayer,
-    double endHeight);
+HeightLevels heightLevels(const std::vector<std::shared_ptr<const geometry::PartSurface>>& parts,
+                          const Substrate& substrate,
+                          LayerWish wish,
+                          double endHeight);
 
 }  // namespace wcam::toolpath

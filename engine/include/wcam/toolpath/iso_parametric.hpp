@@ -4,6 +4,7 @@
 
 #include "wcam/base/context.hpp"
 #include "wcam/geometry/part_surface.hpp"
+#include "wcam/toolpath/layer_levels.hpp"
 #include "wcam/toolpath/slicing.hpp"
 #include "wcam/toolpath/substrate.hpp"
 
@@ -23,16 +24,16 @@ struct Axis {
 std::optional<Axis> findRevolutionAxis(const geometry::PartSurface& part, const Vec3& up);
 
 struct RevolutionOptions {
-  double step = 1.0;        ///< mm
-  double firstLayer = 1.0;  ///< distance of the first layer from the base, in steps; 0: on the base
-  bool arcLength = false;   ///< the step is measured along the profile instead of as its chord
+  LayerWish layers;          ///< measured along the profile from the base on
+  bool arcLength = false;    ///< the step is measured along the profile instead of as its chord
   double leastRadius = 0.0;  ///< no circle smaller than this, mm (the pole)
   std::optional<Axis> axis;  ///< otherwise found
 };
 
-/// Parallels of a body of revolution, each at the same chord along the profile from the one below:
-/// the inter-layer distance is exactly the step everywhere (Chalvin A7, Eq. 2.4). The profile may
-/// turn back, have corners and end in a pole.
+/// Parallels of a body of revolution, or of a sector of one, each at the same chord along the
+/// profile from the one below: the inter-layer distance is exactly the step everywhere (Chalvin A7,
+/// Eq. 2.4). The profile may turn back, have corners and end in a pole. Where the surface ends, at
+/// the sides of a sector, at holes and on the substrate, parallels end with it.
 /// @throws Error(JobFailed) telling where the part is no body of revolution, or that it does not
 /// stand on the substrate
 /// Cost: one section of the mesh and O(layers) evaluations.
@@ -46,8 +47,7 @@ SlicedLayers sliceRevolution(const std::vector<std::shared_ptr<const geometry::P
 enum class IsoDirection { Auto, U, V };
 
 struct FaceIsoOptions {
-  double step = 1.0;
-  double firstLayer = 1.0;
+  LayerWish layers;  ///< measured along the iso-curves
   IsoDirection direction = IsoDirection::Auto;
 };
 

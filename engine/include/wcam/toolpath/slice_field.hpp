@@ -56,6 +56,9 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
 /// fields. NaN marks a vertex outside the field: its triangles carry no layer.
 struct VertexField {
   std::vector<std::vector<double>> values;  ///< per part, per vertex
+  /// How far the values on a border that is a level may miss it, mm, where that is more than the
+  /// noise of the part's mesh.
+  double borderTolerance = 0.0;
 };
 
 /// The same for a field of vertices: nodes lie where the linear field has the level and on the

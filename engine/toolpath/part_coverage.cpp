@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wcam/toolpath/part_coverage.hpp"
+
+#include "wcam/base/parallel.hpp"
+#include "wcam/base/text.hpp"
+#include "wcam/geometry/level_set.hpp"
+#include "wcam/geometry/segment_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace wcam::toolpath {
+
+namespace {
+
+using geometry::PartSurface;
+
+/// A bead covers what is this many times its half width, or its layer's height, from its line.
+constexpr double kCovers = 1.1;
+/// Pieces of the surface smaller than this part of what a bead covers are covered as a whole or
+/// not.
+constexpr double kPiece = 0.5;
+/// Above the last layer by more than this many steps the part is left out on purpose: by an end
+/// height, or as the rest that has a finding of its own.
+constexpr double kBeyond = 1.5;
+/// Uncovered faces below this part of the part's surface are the rounding of corners.
+constexpr double kLeastShare = 1e-3;
+constexpr std::size_t kTriangleGrain = 64;
+/// Noise of a part on its plate, in tolerances of a flat face.
+constexpr double kOnPlate = 4.0;
+
+std::vector<Vec3> pointsOf(const Contour& contour) {
+  std::vector<Vec3> points;
+  points.reserve(contour.points.size());
+  for (const ContourPoint& point : contour.points) {
+    points.push_back(point.p);
+  }
+  return points;
+}
+
+void addLayer(const SlicedLayer& layer, geometry::SegmentTree& tree) {
+  for (const Contour& contour : layer.contours) {
+    tree.add(pointsOf(contour), contour.closed);
+  }
+}
+
+/// What is found on one triangle.
+struct Uncovered {
+  double area = 0.0;
+  double distance = 0.0;  ///< of the farthest place
+  Vec3 place = Vec3::Zero();
+
+  void add(const Uncovered& other) {
+    area += other.area;
+    if (other.distance > distance) {
+      distance = other.distance;
+      place = other.place;
+    }
+  }
+};
+
+class Coverage {
+public:
+  Coverage(const SlicedLayers& sliced, const Substrate& substrate, const BeadRange& bead)
+      : substrate_(substrate) {
+    for (const SlicedLayer& layer : sliced.layers) {
+      step_ = std::max(step_, layer.nominalHeight);
+      addLayer(layer, all_);
+    }
+    all_.build();
+    addLayer(sliced.layers.back(), last_);
+    last_.build();
+    lastUp_ = sliced.layers.back().up;
+    reach_ = kCovers * std::max(0.5 * bead.width, step_);
+  }
+
+  [[nodiscard]] double reach() const { return reach_; }
+
+  [[nodiscard]] Uncovered of(const std::array<Vec3, 3>& corners) const {
+    const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+    double radius = 0.0;
+    for (const Vec3& corner : corners) {
+      radius = std::max(radius, (corner - centre).norm());
+    }
+    const double distance = all_.distance(centre, reach_ + radius);
+    if (distance + radius <= reach_) {
+      return {};
+    }
+    Uncovered result;
+    if (radius <= kPiece * reach_) {
+      if (distance > reach_ && counts(centre)) {
+        result.area = 0.5 * (corners[1] - corners[0]).cross(Vec3(corners[2] - corners[0])).norm();
+        result.distance = all_.distance(centre);
+        result.place = centre;
+      }
+      return result;
+    }
+    const std::array<Vec3, 3> middle{0.5 * (corners[0] + corners[1]),
+                                     0.5 * (corners[1] + corners[2]),
+                                     0.5 * (corners[2] + corners[0])};
+    result.add(of({corners[0], middle[0], middle[2]}));
+    result.add(of({corners[1], middle[1], middle[0]}));
+    result.add(of({corners[2], middle[2], middle[1]}));
+    result.add(of(middle));
+    return result;
+  }
+
+private:
+  /// False for what lies on or below the substrate or beyond the last layer.
+  [[nodiscard]] bool counts(const Vec3& p) const {
+    if (substrate_.heightAbove(p) <= step_) {
+      return false;
+    }
+    const Vec3 beyond = p - last_.nearest(p);
+    return beyond.dot(lastUp_) <= kBeyond * step_;
+  }
+
+  const Substrate& substrate_;
+  geometry::SegmentTree all_;
+  geometry::SegmentTree last_;
+  Vec3 lastUp_ = Vec3::UnitZ();
+  double step_ = 0.0;
+  double reach_ = 0.0;
+};
+
+/// What covers faces that these layers leave out.
+Text remedyFor(const SlicedLayers& sliced, bool closed) {
+  bool filled = false;
+  for (const SlicedLayer& layer : sliced.layers) {
+    for (const Contour& contour : layer.contours) {
+      filled = filled || contour.feature == BeadFeature::Fill;
+    }
+  }
+  if (filled) {
+    return "a smaller step or a narrower bead covers more of slanted faces";
+  }
+  if (closed) {
+    return "fill the layers of a solid: strategy 'Filled planar layers' (wcam.slicing.bulk)";
+  }
+  return sliced.curved
+             ? "clad these faces: strategy 'Cladding of a surface' (wcam.slicing.cladding)"
+             : "let the layers follow the surface: strategy 'Geodesic distance from the base' "
+               "(wcam.slicing.geodesic), or clad level faces (wcam.slicing.cladding)";
+}
+
+void reportUncovered(const SlicedLayers& sliced,
+                     const std::vector<std::shared_ptr<const PartSurface>>& parts,
+                     const Substrate& substrate,
+                     const BeadRange& bead,
+                     const JobContext& context) {
+  const Coverage coverage(sliced, substrate, bead);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const geometry::TriangleMesh& mesh = parts[k]->mesh;
+    std::vector<Uncovered> found(mesh.triangles.size());
+    std::vector<double> areas(mesh.triangles.size());
+    parallelFor(
+        mesh.triangles.size(), kTriangleGrain,
+        [&](std::size_t t) {
+          const auto& c = mesh.triangles[t];
+          const std::array<Vec3, 3> corners{mesh.vertices[c[0]], mesh.vertices[c[1]],
+                                            mesh.vertices[c[2]]};
+          areas[t] = 0.5 * (corners[1] - corners[0]).cross(Vec3(corners[2] - corners[0])).norm();
+          found[t] = coverage.of(corners);
+        },
+        context);
+    Uncovered sum;
+    double area = 0.0;
+    for (std::size_t t = 0; t < found.size(); ++t) {
+      sum.add(found[t]);
+      area += areas[t];
+    }
+    if (sum.area <= std::max(coverage.reach() * coverage.reach(), kLeastShare * area)) {
+      continue;
+    }
+    context.add(
+        {Severity::Warning,
+         "slicing.uncovered",
+         text("%1 mm² (%2 %) of the surface of part %3 get no layer; the place at (%4, %5, %6) is "
+              "%7 mm from the nearest bead",
+              {formatFixed(sum.area, 0), formatFixed(100.0 * sum.area / area, 1),
+               std::to_string(k + 1), formatFixed(sum.place.x(), 1), formatFixed(sum.place.y(), 1),
+               formatFixed(sum.place.z(), 1), formatFixed(sum.distance, 1)}),
+         remedyFor(sliced, parts[k]->halfEdges.closed()),
+         {},
+         {{"area_mm2", sum.area},
+          {"area_percent", 100.0 * sum.area / area},
+          {"distance_mm", sum.distance},
+          {"x_mm", sum.place.x()},
+          {"y_mm", sum.place.y()},
+          {"z_mm", sum.place.z()}}});
+  }
+}
+
+void reportBelow(const SlicedLayers& sliced,
+                 const std::vector<std::shared_ptr<const PartSurface>>& parts,
+                 const Substrate& substrate,
+                 const JobContext& context) {
+  double lowestBead = std::numeric_limits<double>::infinity();
+  for (const SlicedLayer& layer : sliced.layers) {
+    for (const Contour& contour : layer.contours) {
+      for (const ContourPoint& point : contour.points) {
+        lowestBead = std::min(lowestBead, substrate.heightAbove(point.p));
+      }
+    }
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3& v : parts[k]->mesh.vertices) {
+      lowest = std::min(lowest, substrate.heightAbove(v));
+    }
+    // Layers around an axis go on below the plate.
+    const double leftOut = std::min(lowestBead, 0.0) - lowest;
+    if (!(leftOut > kOnPlate * geometry::flatTolerance(parts[k]->mesh))) {
+      continue;
+    }
+    const bool plate = substrate.isPlate();
+    context.add(
+        {plate ? Severity::Warning : Severity::Information,
+         "slicing.below_plate",
+         text(plate ? "part %1 reaches %2 mm below the plate; what lies there gets no layers"
+                    : "part %1 reaches %2 mm into the substrate; what lies there gets no layers",
+              {std::to_string(k + 1), formatFixed(leftOut, 3)}),
+         plate ? text("raise the part by %1 mm, so that it stands on the plate",
+                      {formatFixed(std::ceil(1e3 * leftOut) / 1e3, 3)})
+               : Text(),
+         {},
+         {{"depth_mm", leftOut}}});
+  }
+}
+
+}  // namespace
+
+void reportLeftOut(const SlicedLayers& sliced,
+                   const std::vector<std::shared_ptr<const PartSurface>>& parts,
+                   const Substrate& substrate,
+                   const BeadRange& bead,
+                   const JobContext& context) {
+  bool own = sliced.layers.empty();
+  for (const SlicedLayer& layer : sliced.layers) {
+    for (const Contour& contour : layer.contours) {
+      own = own || contour.feature == BeadFeature::Cladding ||
+            contour.feature == BeadFeature::Imported;
+    }
+  }
+  if (own) {
+    return;
+  }
+  reportBelow(sliced, parts, substrate, context);
+  reportUncovered(sliced, parts, substrate, bead, context);
+}
+
+}  // namespace wcam::toolpath
