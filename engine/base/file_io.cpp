@@ -52,7 +52,8 @@ private:
 }  // namespace
 
 std::string readFile(const std::filesystem::path& file) {
-  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  // Opening a pipe would wait for its writer.
+  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
 
   struct stat info {};
 
@@ -66,10 +67,14 @@ std::string readFile(const std::filesystem::path& file) {
   if (S_ISDIR(info.st_mode)) {
     throw Error(ErrorCode::InputInvalid, "is a folder, not a file", pathText(file));
   }
+  if (!S_ISREG(info.st_mode)) {
+    throw Error(ErrorCode::InputInvalid, "is a device or a pipe, not a file", pathText(file),
+                "save the content in a file first");
+  }
   std::string content;
   content.resize(static_cast<std::size_t>(info.st_size > 0 ? info.st_size : 0));
   std::size_t done = 0;
-  // The size is only a hint: pipes have none and files may grow.
+  // The size is only a hint: files may grow.
   while (true) {
     if (done == content.size()) {
       content.resize(done + 65536);

@@ -8,8 +8,63 @@
 #include <muParser.h>
 
 #include <array>
+#include <string_view>
 
 namespace wcam::geometry {
+
+namespace {
+
+/// Where the first comma stands that separates no arguments of a function.
+std::size_t looseComma(const std::string& text) {
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += text[i] == '(' ? 1 : 0;
+    depth -= text[i] == ')' && depth > 0 ? 1 : 0;
+    if (text[i] == ',' && depth == 0) {
+      return i;
+    }
+  }
+  return std::string::npos;
+}
+
+/// Where an equals sign stands that compares nothing.
+std::size_t assignment(const std::string& text) {
+  for (std::size_t i = text.find('='); i != std::string::npos; i = text.find('=', i + 1)) {
+    const bool compares =
+        i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos;
+    const bool doubled = i + 1 < text.size() && text[i + 1] == '=';
+    if (!compares && !doubled) {
+      return i;
+    }
+    i += doubled ? 1 : 0;
+  }
+  return std::string::npos;
+}
+
+/// The parser would take the last item of a list, and let a formula change its variable.
+void requireOneValue(const std::string& formula, const std::string& context) {
+  if (const std::size_t comma = looseComma(formula); comma != std::string::npos) {
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    const bool decimal = comma > 0 && isDigit(formula[comma - 1]) && comma + 1 < formula.size() &&
+                         isDigit(formula[comma + 1]);
+    std::string better = formula;
+    better[comma] = '.';
+    throw Error(
+        ErrorCode::InvalidArgument,
+        wcam::text("a comma outside of a function (position %1)", {std::to_string(comma + 1)}),
+        wcam::text("%1 = %2", {context, formula}),
+        decimal ? wcam::text("write %1, with a decimal point", {better})
+                : wcam::text("write one formula, not a list"));
+  }
+  if (const std::size_t equals = assignment(formula); equals != std::string::npos) {
+    throw Error(ErrorCode::InvalidArgument,
+                wcam::text("an assignment (position %1)", {std::to_string(equals + 1)}),
+                wcam::text("%1 = %2", {context, formula}),
+                "write the formula alone, without a name and '='; '==' compares");
+  }
+}
+
+}  // namespace
 
 struct Formula::Impl {
   std::array<double, 2> values{};
@@ -21,6 +76,7 @@ Formula::Formula(const std::string& text,
                  const std::string& context)
     : impl_(std::make_unique<Impl>()) {
   WCAM_ASSERT(variables.size() <= impl_->values.size());
+  requireOneValue(text, context);
   try {
     for (std::size_t i = 0; i < variables.size(); ++i) {
       impl_->parser.DefineVar(variables[i], &impl_->values[i]);

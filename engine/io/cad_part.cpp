@@ -8,6 +8,7 @@
 #include "cad_mesh.hpp"
 #include "cad_reader.hpp"
 #include "formula_reader.hpp"
+#include "mesh_boolean.hpp"
 #include "mesh_repair.hpp"
 #include "occt_session.hpp"
 #include "part_builder.hpp"
@@ -373,6 +374,23 @@ void tellReaderFindings(const CadMesh& cad,
              "check the part against the CAD system");
 }
 
+/// A damaged number of the file makes points that are none, or lie beyond all measure.
+void requireCoordinates(const CadMesh& cad, const ImportJob& job) {
+  for (std::size_t t = 0; t < cad.mesh.triangles.size(); ++t) {
+    for (const std::uint32_t v : cad.mesh.triangles[t]) {
+      for (const double x : cad.mesh.vertices[v]) {
+        if (!isCoordinate(x)) {
+          throw Error(ErrorCode::InputInvalid,
+                      text("face %1 has a coordinate of %2 mm, which is no possible place",
+                           {std::to_string(cad.binding.face[t]),
+                            std::isfinite(x) ? formatReal(x) : std::string("infinity")}),
+                      job.fileText, "check this face in the CAD system, and export the part again");
+        }
+      }
+    }
+  }
+}
+
 CadFormat cadFormat(FileFormat format) {
   switch (format) {
     case FileFormat::Step:
@@ -471,12 +489,18 @@ geometry::PartSurface build(std::string_view bytes,
                      {std::to_string(brep->faces.size()), session.messageTail()}),
                 job.fileText, "check the part in the CAD system and export it again");
   }
+  requireCoordinates(cad, job);
   geometry::PartSurface surface;
   // Free curves have end points that no triangle uses; the builder adds none of them.
   HalfEdges halfEdges(cad.mesh);
   if (job.options.repair) {
     orientFaces(cad, halfEdges, *brep, job, report, context);
   }
+  // Exact bodies stay as they are; the triangles tell how much they share.
+  const geometry::Overlaps overlaps =
+      geometry::findOverlaps(cad.mesh, halfEdges, job.options.chordTolerance.value(), context);
+  report.overlap = overlaps.volume;
+  tellOverlaps(overlaps, false, context);
   tellReaderFindings(cad, part.shape, session, context);
   surface.mesh = std::move(cad.mesh);
   surface.binding = std::move(cad.binding);

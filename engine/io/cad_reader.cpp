@@ -5,6 +5,8 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/file_io.hpp"
 
+#include "part_builder.hpp"
+#include "step_text.hpp"
 #include "text_scanner.hpp"
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -249,6 +251,19 @@ void tellDamagedEntities(const char* format,
   }
 }
 
+void tellEncoding(const RecodedStep& recoded, const JobContext& context) {
+  const std::string count = std::to_string(recoded.strings);
+  addCounted(context, Severity::Information, "import.names_recoded", recoded.strings,
+             recoded.encoding.empty()
+                 ? text("%1 texts of the STEP file are in an encoding that is not known; letters "
+                        "beyond ASCII in names are replaced",
+                        {count})
+                 : text("%1 texts of the STEP file are not in an encoding of the standard; they "
+                        "were read as %2",
+                        {count, recoded.encoding}),
+             "check the names of bodies, faces and edges");
+}
+
 Handle(TDocStd_Document) newDocument() {
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
   XCAFDoc_DocumentTool::Set(document->Main(), Standard_False);
@@ -264,7 +279,9 @@ CadModel readStep(const std::filesystem::path& file,
   reader.SetColorMode(Standard_True);
   reader.SetLayerMode(Standard_False);
   reader.SetPropsMode(Standard_False);
-  MemoryBuffer buffer(bytes, context.portion(0.0, 0.4));
+  const std::optional<RecodedStep> recoded = recodeStep(bytes);
+  MemoryBuffer buffer(recoded ? std::string_view(recoded->text) : withoutByteOrderMark(bytes),
+                      context.portion(0.0, 0.4));
   std::istream stream(&buffer);
   const IFSelect_ReturnStatus status =
       reader.ChangeReader().ReadStream(pathText(file).c_str(), stream);
@@ -273,6 +290,9 @@ CadModel readStep(const std::filesystem::path& file,
     cannotRead(file, "STEP", session);
   }
   tellDamagedEntities("STEP", reader.ChangeReader().WS(), context);
+  if (recoded) {
+    tellEncoding(*recoded, context);
+  }
   CadModel model;
   TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
   reader.ChangeReader().FileUnits(lengths, angles, solidAngles);

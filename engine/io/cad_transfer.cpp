@@ -174,6 +174,7 @@ void transfer(Archive& archive, ImportReport& report) {
   archive(report.freeEdges);
   archive(report.reorientedTriangles);
   archive(report.formulaDeviation);
+  archive(report.overlap);
 }
 
 class Saver {

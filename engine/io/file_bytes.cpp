@@ -26,7 +26,10 @@ std::size_t regularFileSize(const std::filesystem::path& file) {
         pathText(file), "check the path and the permissions");
   }
   if (!std::filesystem::is_regular_file(status)) {
-    throw Error(ErrorCode::InputInvalid, "is a folder or a device, not a file", pathText(file));
+    throw Error(ErrorCode::InputInvalid,
+                std::filesystem::is_directory(status) ? text("is a folder, not a file")
+                                                      : text("is a device or a pipe, not a file"),
+                pathText(file), "name the file of the part");
   }
   const auto size = std::filesystem::file_size(file, error);
   if (error) {

@@ -7,6 +7,7 @@
 #include "wcam/base/text.hpp"
 #include "wcam/io/import.hpp"
 
+#include "foreign_format.hpp"
 #include "stl_parser.hpp"
 #include "text_scanner.hpp"
 
@@ -65,13 +66,20 @@ bool looksLikeIges(std::string_view bytes) {
   return number.find_first_not_of(" 0") == number.size() - 1 && number.back() == '1';
 }
 
+/// The first word, whatever line end follows it.
+bool startsWithPly(std::string_view text) {
+  TextScanner scanner(text);
+  return text.starts_with("ply") && scanner.word() == "ply" && scanner.atLineEnd();
+}
+
 std::optional<FileFormat> byContent(std::string_view bytes) {
-  const std::string_view head = bytes.substr(0, std::min(bytes.size(), kHeadSize));
+  const PlainText plain(bytes.substr(0, std::min(bytes.size(), kHeadSize)));
+  const std::string_view head = plain.view();
   const auto has = [&](std::string_view text) { return head.find(text) != std::string_view::npos; };
-  if (head.starts_with("PK\x03\x04")) {
+  if (head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06")) {
     return FileFormat::ThreeMf;
   }
-  if (head.starts_with("ply\n") || head.starts_with("ply\r")) {
+  if (startsWithPly(head)) {
     return FileFormat::Ply;
   }
   if (has("ISO-10303-21")) {
@@ -83,15 +91,17 @@ std::optional<FileFormat> byContent(std::string_view bytes) {
   if (head.starts_with("DBRep_DrawableShape") || has("CASCADE Topology V")) {
     return FileFormat::BrepText;
   }
-  if (const auto first = head.find_first_not_of(" \t\r\n");
-      first != std::string_view::npos && head[first] == '{') {
-    return FileFormat::Formula;
-  }
-  if (looksLikeIges(bytes)) {
-    return FileFormat::Iges;
-  }
   if (looksLikeStl(bytes)) {
     return FileFormat::Stl;
+  }
+  if (foreignFormat(bytes)) {
+    return std::nullopt;
+  }
+  if (TextScanner(head).peekWord().starts_with('{')) {
+    return FileFormat::Formula;
+  }
+  if (looksLikeIges(withoutByteOrderMark(bytes))) {
+    return FileFormat::Iges;
   }
   return std::nullopt;
 }
@@ -131,6 +141,12 @@ FileFormat detectFormat(const std::filesystem::path& file, std::string_view byte
   const std::optional<FileFormat> content = byContent(bytes);
   if (content) {
     return *content;
+  }
+  if (const auto foreign = foreignFormat(bytes)) {
+    throw Error(ErrorCode::InputInvalid,
+                extension ? text("is %1, not a %2 file", {foreign->name, toString(*extension)})
+                          : text("is %1, not a part", {foreign->name}),
+                pathText(file), foreign->remedy);
   }
   if (!extension) {
     throw Error(ErrorCode::InputInvalid, "the format of the file is not known", pathText(file),

@@ -11,6 +11,8 @@
 #include "file_format.hpp"
 #include "mesh_readers.hpp"
 #include "part_builder.hpp"
+#include "step_tessellation.hpp"
+#include "step_text.hpp"
 #include "stl_parser.hpp"
 
 namespace wcam::io {
@@ -18,7 +20,7 @@ namespace wcam::io {
 namespace {
 
 /// Raised whenever the same file gives another result, so that cached stages are computed anew.
-constexpr std::int64_t kImportVersion = 1;
+constexpr std::int64_t kImportVersion = 2;
 /// Rounding that a pose read from a file may carry.
 constexpr double kRigidTolerance = 1e-9;
 
@@ -72,16 +74,43 @@ RawMesh readStl(std::string_view bytes, const ImportJob& job, const JobContext& 
   return raw;
 }
 
+/// Parts of an assembly in other files would have to be found, and their changes noticed: refused.
+void requireOneFile(std::string_view bytes, const ImportJob& job) {
+  const std::vector<std::string> files = externalFilesOf(bytes);
+  if (!files.empty()) {
+    throw Error(ErrorCode::InputInvalid,
+                text("is an assembly whose parts stand in %1 other files, the first is '%2'",
+                     {std::to_string(files.size()), files.front()}),
+                job.fileText, "export the assembly as one file");
+  }
+}
+
+/// True for a file that has triangles where other STEP files have exact faces.
+bool isTessellated(std::string_view bytes, const ImportJob& job, const JobContext& context) {
+  if (job.format != FileFormat::Step) {
+    return false;
+  }
+  requireOneFile(bytes, job);
+  const Tessellation tessellation = tessellationOf(bytes);
+  addCounted(context, Severity::Information, "import.tessellation_left_out",
+             tessellation == Tessellation::Beside ? 1 : 0,
+             "the STEP file has tessellated shapes beside exact ones; the exact ones are read",
+             "check that the part is complete");
+  return tessellation == Tessellation::Only;
+}
+
 RawMesh readMesh(std::string_view bytes, const ImportJob& job, const JobContext& context) {
   switch (job.format) {
     case FileFormat::Stl:
       return readStl(bytes, job, context);
     case FileFormat::Obj:
       return parseObj(bytes, job.fileText, context);
+    case FileFormat::Step:
+      return parseTessellatedStep(bytes, job.fileText, context);
     case FileFormat::Ply:
       return parsePly(bytes, job.fileText, context);
     default:
-      return readThreeMf(job.file, context);
+      return parseThreeMf(bytes, job.fileText, context);
   }
 }
 
@@ -152,7 +181,7 @@ ImportedPart importPart(const std::filesystem::path& file,
   part.report.format = toString(job.format);
   const std::string hash = contentHash(bytes->view(), options, T_part_file);
   geometry::PartSurface surface;
-  if (isCad(job.format)) {
+  if (isCad(job.format) && !isTessellated(bytes->view(), job, context)) {
     surface = buildCadPartApart(bytes->view(), job, part.report,
                                 context.portion(0.05, 0.95, "Reading CAD part"));
   } else {

@@ -3,6 +3,7 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/text.hpp"
 
+#include "mesh_boolean.hpp"
 #include "mesh_repair.hpp"
 #include "part_builder.hpp"
 
@@ -80,7 +81,7 @@ void measureAreaAndVolume(const PartSurface& surface, ImportReport& report) {
   }
   report.area = area2 / 2.0;
   if (report.closed) {
-    report.volume = volume6 / 6.0;
+    report.volume = volume6 / 6.0 - (report.overlapsUnited ? 0.0 : report.overlap);
   }
 }
 
@@ -155,6 +156,54 @@ void addCounted(const JobContext& context,
   }
 }
 
+void tellOverlaps(const geometry::Overlaps& overlaps, bool united, const JobContext& context) {
+  if (!overlaps.any()) {
+    return;
+  }
+  const std::string volume = formatFixed(overlaps.volume, 1);
+  const std::string place = positionText(overlaps.place);
+  const auto add = [&](const char* code, std::size_t count, const Text& message,
+                       const Text& remedy) {
+    context.add({Severity::Warning,
+                 code,
+                 message,
+                 remedy,
+                 {},
+                 {{"count", static_cast<double>(count)},
+                  {"overlap_mm3", overlaps.volume},
+                  {"x_mm", overlaps.place.x()},
+                  {"y_mm", overlaps.place.y()},
+                  {"z_mm", overlaps.place.z()}}});
+  };
+  const std::string crossing = std::to_string(overlaps.crossing);
+  if (overlaps.crossing > 0 && overlaps.volume > 0.0) {
+    add("import.overlapping_bodies", overlaps.crossing,
+        united ? text("%1 bodies overlap by %2 mm³, first around %3 mm; they were united, so that "
+                      "this material counts once",
+                      {crossing, volume, place})
+               : text("%1 bodies overlap by %2 mm³, first around %3 mm; paths fill this space more "
+                      "than once",
+                      {crossing, volume, place}),
+        "unite the bodies in the CAD system, or move them apart");
+  } else if (overlaps.crossing > 0) {
+    add("import.overlapping_bodies", overlaps.crossing,
+        text("%1 bodies meet around %2 mm and cannot be united, since a surface crosses itself or "
+             "has too many triangles; where they overlap, paths fill the space more than once",
+             {crossing, place}),
+        "unite the bodies in the CAD system");
+  }
+  if (overlaps.nested > 0) {
+    add("import.inner_shell_outwards", overlaps.nested,
+        united ? text("%1 shells inside others (%2 mm³, first around %3 mm) are turned outwards "
+                      "like them and count as solid material",
+                      {std::to_string(overlaps.nested), volume, place})
+               : text("%1 shells inside others (%2 mm³, first around %3 mm) are turned outwards "
+                      "like them; paths fill them more than once",
+                      {std::to_string(overlaps.nested), volume, place}),
+        "turn the normals of a shell over if it is a cavity, else remove it");
+  }
+}
+
 void measure(const PartSurface& surface, ImportReport& report, const JobContext& context) {
   report.vertices = surface.mesh.vertices.size();
   report.triangles = surface.mesh.triangles.size();
@@ -204,6 +253,9 @@ Value ImportReport::toValue() const {
   }
   if (volume) {
     value.set("volume_mm3", *volume);
+  }
+  if (overlap > 0.0) {
+    value.set("overlap_mm3", overlap);
   }
   return value;
 }

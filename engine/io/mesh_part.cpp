@@ -4,9 +4,13 @@
 #include "wcam/base/json.hpp"
 #include "wcam/base/parallel.hpp"
 
+#include "mesh_boolean.hpp"
+#include "mesh_order.hpp"
 #include "mesh_repair.hpp"
 #include "part_builder.hpp"
+#include "text_scanner.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace wcam::io {
@@ -79,10 +83,15 @@ void scaleAndPlace(TriangleMesh& mesh,
         mesh.vertices[v] = placed ? Vec3(T_part_file * p) : p;
       },
       context);
-  for (const Vec3& p : mesh.vertices) {
-    if (!p.allFinite()) {
-      throw Error(ErrorCode::InputInvalid, "has coordinates that are too large", job.fileText,
-                  "export the part again");
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (const double x : mesh.vertices[v]) {
+      if (!isCoordinate(x)) {
+        throw Error(
+            ErrorCode::InputInvalid,
+            text("has a coordinate of %1 mm (vertex %2), which is too large",
+                 {std::isfinite(x) ? formatReal(x) : std::string("infinity"), std::to_string(v)}),
+            job.fileText, "check the unit, and export the part again");
+      }
     }
   }
 }
@@ -115,7 +124,11 @@ public:
       : raw_(std::move(raw)), job_(job), report_(report), context_(context) {}
 
   geometry::PartSurface build() {
-    requireTriangles("the file has no triangles");
+    requireTriangles(pointCloud()
+                         ? text("the file has no triangles; it is a point cloud of %1 "
+                                "points",
+                                {std::to_string(raw_.mesh.vertices.size() + raw_.weldedPoints)})
+                         : text("the file has no triangles"));
     chooseUnit(raw_, job_, report_, context_);
     scaleAndPlace(raw_.mesh, report_.millimetresPerUnit, job_.T_part_file, job_, context_);
     report_.weldedVertices = raw_.weldedPoints;
@@ -124,7 +137,9 @@ public:
       repair();
     } else {
       halfEdges_ = HalfEdges(raw_.mesh);
+      pieces_ = 2;  // or more: not known
     }
+    unite();
     geometry::PartSurface surface;
     surface.mesh = std::move(raw_.mesh);
     surface.halfEdges = std::move(halfEdges_);
@@ -134,8 +149,14 @@ public:
 private:
   void requireTriangles(const Text& message) const {
     if (raw_.mesh.triangles.empty()) {
-      throw Error(ErrorCode::InputInvalid, message, job_.fileText, "export the part again");
+      throw Error(ErrorCode::InputInvalid, message, job_.fileText,
+                  pointCloud() ? text("make a surface of the points first")
+                               : text("export the part again"));
     }
+  }
+
+  [[nodiscard]] bool pointCloud() const {
+    return raw_.mesh.triangles.empty() && !raw_.mesh.vertices.empty();
   }
 
   void repair() {
@@ -160,8 +181,7 @@ private:
       return;
     }
     const double wanted = job_.options.weldTolerance.value();
-    tolerance_ =
-        wanted > 0.0 ? wanted : kWeldSteps * raw_.relativePrecision * largestCoordinate(raw_.mesh);
+    tolerance_ = wanted > 0.0 ? wanted : precisionLength();
     TriangleMesh trial = raw_.mesh;
     const std::size_t joined = stitchBorders(trial, halfEdges_, tolerance_);
     if (joined == 0) {
@@ -195,6 +215,7 @@ private:
   void orient() {
     const Orientation orientation = findOrientation(
         raw_.mesh, halfEdges_, {}, raw_.mesh.triangles.size(), job_.fileText, context_);
+    pieces_ = orientation.components;
     report_.reorientedTriangles = orientation.flippedTriangles;
     if (orientation.flippedTriangles == 0) {
       return;
@@ -209,6 +230,30 @@ private:
         context_, Severity::Information, "import.reoriented", orientation.flippedTriangles,
         text("%1 triangles were turned so that all normals agree, the first at %2 mm",
              {std::to_string(orientation.flippedTriangles), positionText(orientation.first)}));
+  }
+
+  /// Bodies that overlap are united when the mesh may be repaired, so that their material counts
+  /// once.
+  void unite() {
+    if (pieces_ < 2) {
+      return;
+    }
+    geometry::Overlaps overlaps =
+        geometry::findOverlaps(raw_.mesh, halfEdges_, precisionLength(), context_);
+    const bool united = job_.options.repair && overlaps.united;
+    if (united) {
+      raw_.mesh = std::move(*overlaps.united);
+      dropUnusedVertices(raw_.mesh);
+      sortForLocality(raw_.mesh);
+      halfEdges_ = HalfEdges(raw_.mesh);
+    }
+    report_.overlap = overlaps.volume;
+    report_.overlapsUnited = united;
+    tellOverlaps(overlaps, united, context_);
+  }
+
+  [[nodiscard]] double precisionLength() const {
+    return kWeldSteps * raw_.relativePrecision * largestCoordinate(raw_.mesh);
   }
 
   void tell(const Dropped& degenerate, const Dropped& duplicate) {
@@ -247,6 +292,7 @@ private:
   ImportReport& report_;
   const JobContext& context_;
   HalfEdges halfEdges_;
+  std::size_t pieces_ = 1;
   std::size_t stitched_ = 0;
   double tolerance_ = 0.0;
 };

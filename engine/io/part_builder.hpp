@@ -11,6 +11,10 @@
 #include <string_view>
 #include <vector>
 
+namespace wcam::geometry {
+struct Overlaps;
+}
+
 namespace wcam::io {
 
 /// What the steps of one import share.
@@ -51,6 +55,9 @@ const char* unitName(FileUnit unit);
 
 /// Fills in what is measured on the finished surface, and adds the findings that follow from it.
 void measure(const geometry::PartSurface& surface, ImportReport& report, const JobContext& context);
+
+/// Adds the findings about bodies that overlap.
+void tellOverlaps(const geometry::Overlaps& overlaps, bool united, const JobContext& context);
 
 /// Adds a finding about `count` things; nothing when it is 0.
 void addCounted(const JobContext& context,

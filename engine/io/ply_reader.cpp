@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wcam/base/error.hpp"
+#include "wcam/base/json.hpp"
 
 #include "mesh_order.hpp"
 #include "mesh_readers.hpp"
@@ -82,15 +83,24 @@ public:
   RawMesh parse() {
     header();
     checkSizes();
+    countVertices();
     for (const Element& element : elements_) {
       if (element.name == "vertex") {
         vertices(element);
       } else if (element.name == "face") {
         faces(element);
+      } else if (element.name == "tristrips") {
+        strips(element);
       } else {
         skip(element);
       }
     }
+    for (const std::vector<std::uint32_t>& polygon : laterPolygons_) {
+      dividePolygon(mesh_.vertices, polygon, mesh_.triangles);
+    }
+    addCounted(context_, Severity::Information, "import.edges_left_out", thinFaces_,
+               text("%1 lines, points and faces with fewer than three corners are left out",
+                    {std::to_string(thinFaces_)}));
     RawMesh raw;
     raw.relativePrecision = singlePrecision_ ? 1e-7 : 1e-12;
     raw.mesh = std::move(mesh_);
@@ -111,13 +121,19 @@ private:
   }
 
   void header() {
+    // Binary data may begin with LF: after a header with CR alone it is not part of the line end.
+    const std::size_t firstEnd = bytes_.find_first_of("\r\n");
+    const bool bareReturns = firstEnd != std::string_view::npos && bytes_[firstEnd] == '\r' &&
+                             bytes_.substr(firstEnd, 2) != "\r\n";
     scanner_.skipLine();  // "ply"
     bool format = false;
     while (!scanner_.atEnd()) {
       const std::string_view word = scanner_.wordOnLine();
       if (word == "end_header") {
+        const std::size_t lineEnd = bytes_.find_first_of("\r\n", scanner_.position());
         scanner_.skipLine();
-        position_ = scanner_.position();
+        position_ =
+            bareReturns && lineEnd != std::string_view::npos ? lineEnd + 1 : scanner_.position();
         if (!format) {
           fail("the header does not tell the format");
         }
@@ -202,6 +218,12 @@ private:
     }
   }
 
+  void countVertices() {
+    for (const Element& element : elements_) {
+      vertexCount_ += element.name == "vertex" ? element.count : 0;
+    }
+  }
+
   void look(const Element& element, std::uint64_t i) {
     if (i % kCheckInterval == 0) {
       context_.check();
@@ -215,13 +237,24 @@ private:
 
   [[nodiscard]] std::string place() const { return current_->name + " " + std::to_string(index_); }
 
+  std::string_view asciiWord() {
+    std::string_view word = scanner_.word();
+    while (word == "comment" || word.starts_with('#')) {
+      scanner_.skipLine();
+      word = scanner_.word();
+    }
+    if (word.empty()) {
+      fail(text("the file ends in %1", {place()}));
+    }
+    return word;
+  }
+
   double number(Scalar type) {
     if (encoding_ == Encoding::Ascii) {
-      const std::string_view word = scanner_.word();
+      const std::string_view word = asciiWord();
       const auto value = scanNumber(word);
       if (!value) {
-        fail(word.empty() ? text("the file ends in %1", {place()})
-                          : text("%1 has %2 instead of a number", {place(), quoted(word)}));
+        fail(text("%1 has %2 instead of a number", {place(), quoted(word)}));
       }
       return *value;
     }
@@ -277,9 +310,18 @@ private:
 
   void skipProperty(const Property& property) {
     const std::size_t count = property.count ? listSize(property) : 1;
-    for (std::size_t k = 0; k < count; ++k) {
-      number(property.type);
+    if (encoding_ == Encoding::Ascii) {
+      // Nobody needs them, so that they may be no numbers ("-1.#IND" from some compilers).
+      for (std::size_t k = 0; k < count; ++k) {
+        asciiWord();
+      }
+      return;
     }
+    const std::size_t size = sizeOf(property.type);
+    if (count > (bytes_.size() - position_) / size) {
+      fail(text("the file ends in %1", {place()}));
+    }
+    position_ += count * size;
   }
 
   void skip(const Element& element) {
@@ -318,27 +360,51 @@ private:
       if (!p.allFinite()) {
         fail(text("%1 has a coordinate that is not a number", {place()}));
       }
+      for (const double x : p) {
+        if (!isCoordinate(x)) {
+          fail(text("%1 has a coordinate of %2, which is too large", {place(), formatReal(x)}));
+        }
+      }
       mesh_.vertices.push_back(p);
     }
   }
 
   static int axisOf(const Property& property) {
-    const bool axis = !property.count && property.name.size() == 1 && property.name[0] >= 'x' &&
-                      property.name[0] <= 'z';
-    return axis ? property.name[0] - 'x' : -1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const char name = static_cast<char>('x' + axis);
+      if (!property.count && equalNoCase(property.name, std::string_view(&name, 1))) {
+        return axis;
+      }
+    }
+    return -1;
   }
 
-  void faces(const Element& element) {
-    mesh_.triangles.reserve(element.count);
-    std::vector<std::uint32_t> corners;
-    for (std::uint64_t i = 0; i < element.count; ++i) {
+  /// The list of a face's or a strip's corners: by its usual names, else the first list of whole
+  /// numbers. Null when there is none.
+  static const Property* cornersOf(const Element& element) {
+    const Property* other = nullptr;
+    for (const Property& property : element.properties) {
+      const bool whole = property.type != Scalar::Float32 && property.type != Scalar::Float64;
+      if (!property.count || !whole) {
+        continue;
+      }
+      if (property.name == "vertex_indices" || property.name == "vertex_index") {
+        return &property;
+      }
+      other = other == nullptr ? &property : other;
+    }
+    return other;
+  }
+
+  /// Calls `use` with the list of corners of each item.
+  template <class Use>
+  void eachList(const Element& element, const Use& use) {
+    const Property* corners = cornersOf(element);
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
       look(element, i);
       for (const Property& property : element.properties) {
-        const bool indices = property.count &&
-                             (property.name == "vertex_indices" || property.name == "vertex_index");
-        if (indices) {
-          readCorners(property, corners);
-          dividePolygon(mesh_.vertices, corners, mesh_.triangles);
+        if (&property == corners) {
+          use(property);
         } else {
           skipProperty(property);
         }
@@ -346,21 +412,77 @@ private:
     }
   }
 
+  void faces(const Element& element) {
+    mesh_.triangles.reserve(mesh_.triangles.size() + element.count);
+    std::vector<std::uint32_t> corners;
+    eachList(element, [&](const Property& property) {
+      readCorners(property, corners);
+      if (corners.size() < 3) {
+        ++thinFaces_;
+      } else if (corners.size() == 3) {
+        mesh_.triangles.push_back({corners[0], corners[1], corners[2]});
+      } else if (mesh_.vertices.size() == vertexCount_) {
+        dividePolygon(mesh_.vertices, corners, mesh_.triangles);
+      } else {
+        laterPolygons_.push_back(corners);  // vertices follow the faces
+      }
+    });
+  }
+
   void readCorners(const Property& property, std::vector<std::uint32_t>& corners) {
     const std::size_t count = listSize(property);
-    if (count < 3 || count > kMaxPolygonCorners) {
+    if (count > kMaxPolygonCorners) {
       fail(text("%1 has %2 corners", {place(), std::to_string(count)}));
     }
     corners.clear();
     for (std::size_t k = 0; k < count; ++k) {
-      const double index = number(property.type);
-      if (!(index >= 0.0) || index >= static_cast<double>(mesh_.vertices.size()) ||
-          index != std::floor(index)) {
-        fail(text("%1 refers to a vertex that does not exist", {place()}));
-      }
-      corners.push_back(static_cast<std::uint32_t>(index));
+      corners.push_back(vertexIndex(number(property.type)));
     }
   }
+
+  [[nodiscard]] std::uint32_t vertexIndex(double index) const {
+    if (!(index >= 0.0) || index >= static_cast<double>(vertexCount_) ||
+        index != std::floor(index)) {
+      fail(text("%1 refers to a vertex that does not exist", {place()}));
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  /// Triangle strips: each corner makes a triangle with the two before it, every other one turned;
+  /// −1 begins a new strip.
+  void strips(const Element& element) {
+    eachList(element, [&](const Property& property) {
+      const std::size_t count = listSize(property);
+      std::array<std::uint32_t, 3> last{};
+      std::size_t length = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        const double index = number(property.type);
+        if (index == -1.0 || index == kRestart) {
+          length = 0;
+          continue;
+        }
+        last = {last[1], last[2], vertexIndex(index)};
+        if (++length >= 3) {
+          addOfStrip(last, length % 2 == 0);
+        }
+      }
+    });
+  }
+
+  void addOfStrip(std::array<std::uint32_t, 3> t, bool turned) {
+    if (turned) {
+      std::swap(t[0], t[1]);
+    }
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {  // else it only leads on
+      mesh_.triangles.push_back(t);
+    }
+    if (mesh_.triangles.size() >= geometry::HalfEdges::kNone / 3) {
+      fail("there are more triangles than can be handled");
+    }
+  }
+
+  /// −1 in a list without sign.
+  static constexpr double kRestart = 4294967295.0;
 
   std::string_view bytes_;
   const std::string& file_;
@@ -372,13 +494,17 @@ private:
   const Element* current_ = nullptr;
   std::uint64_t index_ = 0;
   bool singlePrecision_ = true;
+  std::uint64_t vertexCount_ = 0;
+  std::size_t thinFaces_ = 0;
+  std::vector<std::vector<std::uint32_t>> laterPolygons_;
   geometry::TriangleMesh mesh_;
 };
 
 }  // namespace
 
 RawMesh parsePly(std::string_view bytes, const std::string& file, const JobContext& context) {
-  return PlyParser(bytes, file, context).parse();
+  const PlainText text(bytes);
+  return PlyParser(text.view(), file, context).parse();
 }
 
 }  // namespace wcam::io

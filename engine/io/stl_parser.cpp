@@ -9,6 +9,7 @@
 #include "weld.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -41,14 +42,62 @@ std::uint64_t declaredSize(std::string_view bytes) {
   return kHeaderSize + kFacetSize * declaredTriangles(bytes);
 }
 
-bool startsLikeAscii(std::string_view bytes) {
-  TextScanner scanner(bytes.substr(0, std::min<std::size_t>(bytes.size(), 4096)));
-  if (!equalNoCase(scanner.word(), "solid")) {
+/// Where a text begins to look like an ASCII STL file.
+constexpr std::size_t kHeadSize = 4096;
+
+/// True when the next words begin a facet; a name may hold the word alone.
+bool atFacet(TextScanner scanner) {
+  if (!equalNoCase(scanner.word(), "facet")) {
     return false;
   }
-  scanner.skipLine();
   const std::string_view next = scanner.word();
-  return equalNoCase(next, "facet") || equalNoCase(next, "endsolid") || next.empty();
+  return equalNoCase(next, "normal") || equalNoCase(next, "outer");
+}
+
+bool isComment(std::string_view word) {
+  return word.starts_with('#') || word.starts_with("//") || word.starts_with(';');
+}
+
+/// True for text that begins with the word "solid" or with a facet, after comments.
+bool startsWithSolid(std::string_view head) {
+  TextScanner scanner(head);
+  while (true) {
+    if (atFacet(scanner)) {
+      return true;
+    }
+    const std::string_view word = scanner.word();
+    if (!isComment(word)) {
+      return equalNoCase(word, "solid");
+    }
+    scanner.skipLine();
+  }
+}
+
+bool holdsFacet(std::string_view head) {
+  TextScanner scanner(head);
+  for (; !scanner.peekWord().empty(); scanner.word()) {
+    if (atFacet(scanner)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool sizeFits(std::string_view bytes) {
+  return bytes.size() >= kHeaderSize && declaredTriangles(bytes) > 0 &&
+         declaredSize(bytes) == bytes.size();
+}
+
+/// Both kinds may begin with "solid". A binary file has zeros in its count, unless it has more than
+/// 16 million triangles; a text may have its first line filled up with zeros.
+bool isAscii(std::string_view bytes) {
+  const PlainText head(bytes.substr(0, kHeadSize));
+  if (sizeFits(bytes) || !startsWithSolid(head.view())) {
+    return false;
+  }
+  return looksLikeText(head.view()) ||
+         (bytes.size() >= kHeaderSize && declaredSize(bytes) > bytes.size() &&
+          holdsFacet(head.view()));
 }
 
 using FloatWelder = PointWelder<float>;
@@ -112,29 +161,36 @@ ParsedMesh parseBinary(std::string_view bytes, const std::string& file, const Jo
   return result;
 }
 
-/// Reads "facet … endfacet" blocks; words in any case, anything between blocks that is not a facet
-/// is skipped.
+/// Reads "facet … endfacet" blocks: words in any case, on lines or not; comments and colours are
+/// skipped.
 class AsciiParser {
 public:
-  AsciiParser(std::string_view bytes, const std::string& file, const JobContext& context)
-      : scanner_(bytes), file_(file), context_(context), welder_(bytes.size() / 512) {}
+  AsciiParser(std::string_view text, const std::string& file, const JobContext& context)
+      : scanner_(text), file_(file), context_(context), welder_(text.size() / 512) {}
 
   ParsedMesh parse() {
     ParsedMesh result;
     bool ended = false;
-    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) {
-      if (equalNoCase(word, "facet")) {
+    while (true) {
+      if (atFacet(scanner_)) {
+        scanner_.word();
         facet();
         ended = false;
-      } else if (equalNoCase(word, "solid")) {
-        const std::string_view name = scanner_.restOfLine();
+        continue;
+      }
+      const std::string_view word = scanner_.word();
+      if (word.empty()) {
+        break;
+      }
+      if (equalNoCase(word, "solid")) {
+        const std::string_view name = nameOnLine();
         if (result.name.empty()) {
           result.name = printableName(name);
         }
-      } else if (equalNoCase(word, "endsolid")) {
-        scanner_.skipLine();
+      } else if (equalNoCase(word, "endsolid") || endOf(word, "solid")) {
+        nameOnLine();
         ended = true;
-      } else {
+      } else if (!skipAside(word)) {
         fail(text("%1 is not part of an STL file", {quoted(word)}));
       }
     }
@@ -154,6 +210,70 @@ private:
                 "the file is damaged or cut off; export it again");
   }
 
+  /// What is left of the line, as far as no facet begins on it and no other solid.
+  std::string_view nameOnLine() {
+    std::string_view name;
+    while (!scanner_.atLineEnd() && !atFacet(scanner_) && !atSolidWithFacet()) {
+      const std::string_view word = scanner_.wordOnLine();
+      name = name.empty() ? word
+                          : std::string_view(
+                                name.data(),
+                                static_cast<std::size_t>(word.data() + word.size() - name.data()));
+    }
+    return name;
+  }
+
+  /// "solid … facet …" on one line, in files without line ends.
+  [[nodiscard]] bool atSolidWithFacet() const {
+    TextScanner ahead = scanner_;
+    if (!equalNoCase(ahead.wordOnLine(), "solid")) {
+      return false;
+    }
+    while (!ahead.atLineEnd() && !atFacet(ahead)) {
+      ahead.wordOnLine();
+    }
+    return !ahead.atLineEnd();
+  }
+
+  /// "end" and the word apart; takes both.
+  bool endOf(std::string_view word, std::string_view what) {
+    const bool apart = equalNoCase(word, "end") && equalNoCase(scanner_.peekWord(), what);
+    if (apart) {
+      scanner_.word();
+    }
+    return apart;
+  }
+
+  /// Comments, and colours that some writers add.
+  bool skipAside(std::string_view word) {
+    if (isComment(word)) {
+      scanner_.skipLine();
+      return true;
+    }
+    if (!equalNoCase(word, "color") && !equalNoCase(word, "colour")) {
+      return false;
+    }
+    while (scanNumber(scanner_.peekWord())) {
+      scanner_.word();
+    }
+    return true;
+  }
+
+  /// Recomputed from the vertices; some writers put nan here, or leave numbers out.
+  void skipNormal() {
+    for (int k = 0; k < 3 && !isKeyword(scanner_.peekWord()); ++k) {
+      scanner_.word();
+    }
+  }
+
+  static bool isKeyword(std::string_view word) {
+    constexpr std::array<std::string_view, 8> kWords{"outer",    "loop", "vertex", "endloop",
+                                                     "endfacet", "end",  "color",  "colour"};
+    return isComment(word) ||
+           std::any_of(kWords.begin(), kWords.end(),
+                       [&](std::string_view known) { return equalNoCase(word, known); });
+  }
+
   void facet() {
     if (triangles_.size() % kCheckInterval == 0) {
       context_.check();
@@ -167,14 +287,14 @@ private:
           fail("a facet has more than three vertices");
         }
         triangle[corners++] = welder_.add(point());
-      } else if (equalNoCase(word, "endfacet")) {
+      } else if (equalNoCase(word, "endfacet") || endOf(word, "facet")) {
         break;
       } else if (equalNoCase(word, "normal")) {
-        scanner_.skipLine();  // recomputed from the vertices; some writers put nan here
+        skipNormal();
       } else if (word.empty()) {
         fail(text("the file ends inside facet %1", {std::to_string(triangles_.size())}));
       } else if (!equalNoCase(word, "outer") && !equalNoCase(word, "loop") &&
-                 !equalNoCase(word, "endloop")) {
+                 !equalNoCase(word, "endloop") && !endOf(word, "loop") && !skipAside(word)) {
         fail(text("%1 is not part of a facet", {quoted(word)}));
       }
     }
@@ -210,17 +330,21 @@ private:
 }  // namespace
 
 bool looksLikeStl(std::string_view bytes) {
-  const bool binary = bytes.size() > kHeaderSize && declaredTriangles(bytes) > 0 &&
-                      declaredSize(bytes) == bytes.size();
-  return binary || startsLikeAscii(bytes);
+  return sizeFits(bytes) || isAscii(bytes);
 }
 
 ParsedMesh parseStl(std::string_view bytes, const std::string& file, const JobContext& context) {
-  const bool sizeFits = bytes.size() >= kHeaderSize && declaredSize(bytes) == bytes.size();
-  if (!sizeFits && startsLikeAscii(bytes)) {
-    ParsedMesh result = AsciiParser(bytes, file, context.portion(0.0, 0.8)).parse();
+  if (isAscii(bytes)) {
+    const PlainText text(bytes);
+    ParsedMesh result = AsciiParser(text.view(), file, context.portion(0.0, 0.8)).parse();
     sortForLocality(result.mesh);
     return result;
+  }
+  if (const std::string_view first = TextScanner(bytes).word();
+      looksLikeText(bytes) && !first.empty() && !sizeFits(bytes)) {
+    throw Error(ErrorCode::InputInvalid,
+                text("is a text that begins with %1 instead of 'solid'", {quoted(first)}), file,
+                "the file is damaged or is not an STL file; export it again");
   }
   if (bytes.size() < kHeaderSize) {
     throw Error(ErrorCode::InputInvalid,
@@ -228,6 +352,12 @@ ParsedMesh parseStl(std::string_view bytes, const std::string& file, const JobCo
                 file, "export the part again");
   }
   const std::uint64_t count = declaredTriangles(bytes);
+  if (count == 0 && bytes.size() > kHeaderSize) {
+    throw Error(ErrorCode::InputInvalid,
+                text("the header tells no triangles, but %1 bytes follow it",
+                     {std::to_string(bytes.size() - kHeaderSize)}),
+                file, "the file was not finished or is not an STL file; export it again");
+  }
   if (declaredSize(bytes) > bytes.size()) {
     throw Error(ErrorCode::InputInvalid,
                 text("the header tells %1 triangles (%2 bytes), the file has only %3 bytes",

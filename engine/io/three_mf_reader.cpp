@@ -1,23 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wcam/base/error.hpp"
-#include "wcam/base/file_io.hpp"
+#include "wcam/base/json.hpp"
 
+#include "mesh_boolean.hpp"
 #include "mesh_order.hpp"
 #include "mesh_readers.hpp"
+#include "mesh_repair.hpp"
 #include "text_scanner.hpp"
-#include "weld_mesh.hpp"
-#include <expat.h>
-#include <minizip/unzip.h>
+#include "three_mf_model.hpp"
 
-#include <charconv>
-#include <cmath>
-#include <cstring>
-#include <exception>
-#include <functional>
-#include <map>
-#include <memory>
-#include <set>
+#include <algorithm>
+#include <utility>
 
 namespace wcam::io {
 
@@ -25,480 +19,374 @@ namespace {
 
 using geometry::TriangleMesh;
 using geometry::Vec3;
-/// Row vectors are used in the file: [x y z 1]·M, M of 4 rows and 3 columns.
-using Transform = Eigen::Matrix<double, 4, 3>;
 
-constexpr std::size_t kChunk = 1 << 16;
-constexpr std::size_t kCheckInterval = 65536;
 /// Components refer to objects before them; deeper nesting than this is an attack.
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxInstances = 1000000;
+/// A few kilobytes can repeat an object so often that no memory holds it.
+constexpr std::size_t kMaxTriangles = 100000000;
 constexpr const char* kDefaultModel = "3D/3dmodel.model";
 constexpr const char* kModelType = "/3dmodel";
 
-struct UnitName {
-  const char* name;
-  double millimetres;
-};
-
-constexpr std::array<UnitName, 6> kUnits{{{"micron", 0.001},
-                                          {"millimeter", 1.0},
-                                          {"centimeter", 10.0},
-                                          {"inch", 25.4},
-                                          {"foot", 304.8},
-                                          {"meter", 1000.0}}};
-
-Transform identity() {
-  Transform m = Transform::Zero();
-  m.topRows<3>().setIdentity();
-  return m;
-}
-
-/// b after a.
-Transform compose(const Transform& a, const Transform& b) {
-  Transform m;
-  m.topRows<3>() = a.topRows<3>() * b.topRows<3>();
-  m.row(3) = a.row(3) * b.topRows<3>() + b.row(3);
-  return m;
-}
-
-/// Reference to an object, with the model part it stands in ("" for the same).
-struct Reference {
-  std::string part;
-  std::string id;
-  Transform transform = identity();
-};
-
-struct Object {
-  std::string name;
-  std::string type;
-  std::string property;
-  std::size_t propertyIndex = 0;
+/// A body of the build in its place.
+struct PlacedBody {
   TriangleMesh mesh;
-  std::size_t weldedPoints = 0;
-  std::vector<Reference> components;
+  std::string name;
+  std::string colour;
+  BodyRole role = BodyRole::Solid;
 };
 
-struct Model {
-  std::string unit = "millimeter";
-  double millimetresPerUnit = 1.0;
-  std::map<std::string, Object> objects;
-  std::map<std::string, std::vector<std::string>> colours;  ///< of base materials
-  std::vector<Reference> items;
+/// Numbers of what is not built.
+struct LeftOut {
+  std::size_t notPrintable = 0;
+  std::size_t supports = 0;
+  std::size_t others = 0;
+  std::size_t helpers = 0;
+  std::size_t beams = 0;
+  std::size_t lattices = 0;
 };
 
-/// Open package.
-class Package {
-public:
-  Package(const std::filesystem::path& file, const std::string& fileText)
-      : fileText_(fileText), zip_(unzOpen64(file.c_str())) {
-    if (zip_ == nullptr) {
-      fail("is not a readable ZIP package");
-    }
-  }
-
-  ~Package() { unzClose(zip_); }
-
-  Package(const Package&) = delete;
-  Package& operator=(const Package&) = delete;
-
-  [[noreturn]] void fail(const Text& what) const {
-    throw Error(ErrorCode::InputInvalid, what, fileText_,
-                "the file is damaged or cut off; export it again");
-  }
-
-  /// Calls `use` for the unpacked bytes of a part, piece by piece. False when there is no such
-  /// part.
-  bool read(const std::string& part,
-            const JobContext& context,
-            const std::function<void(const char*, int, bool)>& use) {
-    if (unzLocateFile(zip_, part.c_str(), 2) != UNZ_OK) {
-      return false;
-    }
-    if (unzOpenCurrentFile(zip_) != UNZ_OK) {
-      fail(text("part '%1' cannot be unpacked", {part}));
-    }
-    const std::unique_ptr<void, int (*)(void*)> closer(zip_, unzCloseCurrentFile);
-    std::vector<char> chunk(kChunk);
-    while (true) {
-      context.check();
-      const int got = unzReadCurrentFile(zip_, chunk.data(), static_cast<unsigned>(chunk.size()));
-      if (got < 0) {
-        fail(text("part '%1' is damaged", {part}));
-      }
-      use(chunk.data(), got, got == 0);
-      if (got == 0) {
-        return true;
-      }
-    }
-  }
-
-private:
-  const std::string& fileText_;
-  unzFile zip_;
-};
-
-/// Attributes of an element by local name (without namespace).
-class Attributes {
-public:
-  explicit Attributes(const char** pairs) : pairs_(pairs) {}
-
-  [[nodiscard]] std::string_view get(std::string_view name) const {
-    for (const char** p = pairs_; *p != nullptr; p += 2) {
-      const std::string_view key = *p;
-      if (key.substr(key.rfind('|') + 1) == name) {
-        return p[1];
-      }
-    }
-    return {};
-  }
-
-private:
-  const char** pairs_;
-};
-
-std::string_view localName(const char* name) {
-  const std::string_view text = name;
-  return text.substr(text.rfind('|') + 1);
+/// Triangles from `first` to before `end` as a mesh of their own.
+TriangleMesh partOf(const TriangleMesh& mesh, std::size_t first, std::size_t end) {
+  TriangleMesh part;
+  part.vertices = mesh.vertices;
+  part.triangles.assign(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first),
+                        mesh.triangles.begin() + static_cast<std::ptrdiff_t>(end));
+  dropUnusedVertices(part);
+  return part;
 }
-
-/// SAX reading of one XML part; exceptions pass through expat.
-class XmlReader {
-public:
-  using Start = std::function<void(std::string_view, const Attributes&)>;
-  using End = std::function<void(std::string_view)>;
-
-  XmlReader(Package& package, const std::string& part, Start start, End end)
-      : package_(package),
-        part_(part),
-        start_(std::move(start)),
-        end_(std::move(end)),
-        parser_(XML_ParserCreateNS(nullptr, '|'), XML_ParserFree) {
-    XML_SetUserData(parser_.get(), this);
-    XML_SetElementHandler(parser_.get(), onStart, onEnd);
-    XML_SetStartDoctypeDeclHandler(parser_.get(), onDoctype);
-  }
-
-  /// False when the package has no such part.
-  bool run(const JobContext& context) {
-    return package_.read(part_, context, [&](const char* data, int size, bool last) {
-      const XML_Status status = XML_Parse(parser_.get(), data, size, last ? 1 : 0);
-      if (failure_) {
-        std::rethrow_exception(failure_);
-      }
-      if (status != XML_STATUS_OK) {
-        fail(XML_ErrorString(XML_GetErrorCode(parser_.get())));
-      }
-    });
-  }
-
-  [[noreturn]] void fail(const Text& what) const {
-    package_.fail(text("part '%1', line %2: %3",
-                       {part_, std::to_string(XML_GetCurrentLineNumber(parser_.get())), what}));
-  }
-
-private:
-  template <class Work>
-  void guarded(const Work& work) {
-    if (failure_) {
-      return;
-    }
-    try {
-      work();
-    } catch (...) {
-      failure_ = std::current_exception();
-      XML_StopParser(parser_.get(), XML_FALSE);
-    }
-  }
-
-  static void onStart(void* self, const char* name, const char** attributes) {
-    auto* reader = static_cast<XmlReader*>(self);
-    reader->guarded([&] { reader->start_(localName(name), Attributes(attributes)); });
-  }
-
-  static void onEnd(void* self, const char* name) {
-    auto* reader = static_cast<XmlReader*>(self);
-    reader->guarded([&] { reader->end_(localName(name)); });
-  }
-
-  static void onDoctype(void* self, const char*, const char*, const char*, int) {
-    auto* reader = static_cast<XmlReader*>(self);
-    reader->guarded([&] { reader->fail("a document type is not allowed in 3MF"); });
-  }
-
-  Package& package_;
-  std::string part_;
-  Start start_;
-  End end_;
-  std::unique_ptr<std::remove_pointer_t<XML_Parser>, void (*)(XML_Parser)> parser_;
-  std::exception_ptr failure_;
-};
-
-/// Package paths start with '/', names inside the ZIP do not.
-std::string partName(std::string_view path) {
-  while (!path.empty() && path.front() == '/') {
-    path.remove_prefix(1);
-  }
-  return std::string(path);
-}
-
-class ModelParser {
-public:
-  ModelParser(Package& package, std::string part, const JobContext& context)
-      : context_(context),
-        xml_(
-            package,
-            part,
-            [this](std::string_view name, const Attributes& a) { start(name, a); },
-            [this](std::string_view name) { end(name); }),
-        package_(package),
-        part_(std::move(part)) {}
-
-  Model parse() {
-    if (!xml_.run(context_)) {
-      package_.fail(text("the package has no part '%1'", {part_}));
-    }
-    return std::move(model_);
-  }
-
-private:
-  void start(std::string_view name, const Attributes& a) {
-    if (name == "triangle") {
-      triangle(a);
-    } else if (name == "vertex") {
-      vertex(a);
-    } else if (name == "object") {
-      const std::string id(a.get("id"));
-      object_ = &model_.objects[id];
-      *object_ = Object();
-      object_->name = a.get("name");
-      object_->type = a.get("type");
-      object_->property = a.get("pid");
-      object_->propertyIndex = indexOr0(a.get("pindex"));
-    } else if (name == "component" && object_ != nullptr) {
-      object_->components.push_back(reference(a));
-    } else if (name == "item") {
-      model_.items.push_back(reference(a));
-    } else if (name == "basematerials") {
-      materials_ = a.get("id");
-    } else if (name == "base") {
-      model_.colours[materials_].push_back(std::string(a.get("displaycolor").substr(0, 7)));
-    } else if (name == "model") {
-      unit(a.get("unit"));
-    }
-  }
-
-  void end(std::string_view name) {
-    if (name == "object" && object_ != nullptr) {
-      // Each object on its own: bodies that touch stay apart.
-      object_->weldedPoints = weldVertices(object_->mesh);
-      object_ = nullptr;
-    }
-  }
-
-  void unit(std::string_view name) {
-    if (name.empty()) {
-      return;  // millimetres by the standard
-    }
-    for (const UnitName& known : kUnits) {
-      if (name == known.name) {
-        model_.unit = known.name;
-        model_.millimetresPerUnit = known.millimetres;
-        return;
-      }
-    }
-    xml_.fail(text("unit %1 is not known", {quoted(name)}));
-  }
-
-  static std::size_t indexOr0(std::string_view text) {
-    std::size_t index = 0;
-    std::from_chars(text.data(), text.data() + text.size(), index);
-    return index;
-  }
-
-  void vertex(const Attributes& a) {
-    if (object_ == nullptr) {
-      return;
-    }
-    constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-    Vec3 p;
-    for (int k = 0; k < 3; ++k) {
-      const auto number = scanNumber(a.get(kAxes[static_cast<std::size_t>(k)]));
-      if (!number || !std::isfinite(*number)) {
-        xml_.fail("a vertex has a coordinate that is not a finite number");
-      }
-      p[k] = *number;
-    }
-    object_->mesh.vertices.push_back(p);
-  }
-
-  void triangle(const Attributes& a) {
-    if (object_ == nullptr) {
-      return;
-    }
-    constexpr std::array<const char*, 3> kNames{"v1", "v2", "v3"};
-    std::array<std::uint32_t, 3> t{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::string_view text = a.get(kNames[c]);
-      const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), t[c]);
-      if (error != std::errc() || last != text.data() + text.size() ||
-          t[c] >= object_->mesh.vertices.size()) {
-        xml_.fail(wcam::text("triangle %1 refers to a vertex that does not exist",
-                             {std::to_string(object_->mesh.triangles.size())}));
-      }
-    }
-    object_->mesh.triangles.push_back(t);
-  }
-
-  [[nodiscard]] Reference reference(const Attributes& a) const {
-    Reference result;
-    result.part = partName(a.get("path"));
-    result.id = a.get("objectid");
-    const std::string_view text = a.get("transform");
-    if (text.empty()) {
-      return result;
-    }
-    TextScanner scanner(text);
-    for (int k = 0; k < 12; ++k) {
-      const auto number = scanNumber(scanner.word());
-      if (!number || !std::isfinite(*number)) {
-        xml_.fail("a transform does not have twelve numbers");
-      }
-      result.transform(k / 3, k % 3) = *number;
-    }
-    return result;
-  }
-
-  const JobContext& context_;
-  XmlReader xml_;
-  Package& package_;
-  std::string part_;
-  Model model_;
-  Object* object_ = nullptr;
-  std::string materials_;
-};
 
 /// Puts the items of the build together.
 class Assembler {
 public:
-  Assembler(Package& package, std::string root, const JobContext& context)
-      : package_(package), root_(std::move(root)), context_(context) {}
+  Assembler(const Package& package, std::string root, const JobContext& context)
+      : package_(package),
+        root_(std::move(root)),
+        settings_(readSlicerSettings(package, context)),
+        context_(context) {}
 
   RawMesh run() {
-    const Model& model = modelOf(root_);
+    const ThreeMfModel& model = modelOf(root_);
     raw_.unit = model.unit;
     raw_.millimetresPerUnit = model.millimetresPerUnit;
     if (model.items.empty()) {
       package_.fail("the package has nothing to build");
     }
-    for (const Reference& item : model.items) {
-      add(root_, item, identity(), 0);
+    requireMemory(model);
+    for (const ThreeMfReference& item : model.items) {
+      if (!item.printable) {
+        ++leftOut_.notPrintable;
+        continue;
+      }
+      add(root_, item, identityTransform(), BodyRole::Solid, {});
+      finishItem();
+    }
+    tell();
+    if (raw_.mesh.triangles.empty()) {
+      nothingLeft();
     }
     sortForLocality(raw_.mesh);
     return std::move(raw_);
   }
 
 private:
-  const Model& modelOf(const std::string& part) {
+  const ThreeMfModel& modelOf(const std::string& part) {
     const auto it = models_.find(part);
     if (it != models_.end()) {
       return it->second;
     }
-    return models_.emplace(part, ModelParser(package_, part, context_).parse()).first->second;
+    return models_.emplace(part, parseThreeMfModel(package_, part, context_)).first->second;
   }
 
-  /// @param outer transform of what refers to this
-  void add(const std::string& from, const Reference& reference, const Transform& outer, int depth) {
-    context_.check();
-    const std::string& part = reference.part.empty() ? from : reference.part;
-    const Model& model = modelOf(part);
-    const auto it = model.objects.find(reference.id);
-    if (++instances_ > kMaxInstances) {
+  /// What an object and its components come to. Counted in floating point, which does not overflow.
+  struct Size {
+    double instances = 0.0;
+    double triangles = 0.0;
+  };
+
+  /// Refuses what no memory holds before anything is built.
+  void requireMemory(const ThreeMfModel& model) {
+    Size all;
+    for (const ThreeMfReference& item : model.items) {
+      const Size size = sizeOf(root_, item, 0);
+      all.instances += size.instances;
+      all.triangles += size.triangles;
+    }
+    if (all.instances > kMaxInstances) {
       package_.fail(text("the package repeats its objects more than %1 times",
                          {std::to_string(kMaxInstances)}));
     }
-    if (it == model.objects.end() || depth > kMaxDepth) {
-      package_.fail(depth > kMaxDepth
-                        ? text("part '%1' refers to object '%2' in a circle", {part, reference.id})
-                        : text("part '%1' refers to object '%2', which does not exist",
-                               {part, reference.id}));
-    }
-    const Object& object = it->second;
-    if (object.type == "support" || object.type == "solidsupport") {
-      return;
-    }
-    // Lengths of another model part are in its own unit.
-    Transform transform = compose(reference.transform, outer);
-    for (const Reference& component : object.components) {
-      add(part, component, transform, depth + 1);
-    }
-    if (!object.mesh.triangles.empty()) {
-      transform.topRows<3>() *= model.millimetresPerUnit / raw_.millimetresPerUnit;
-      addMesh(object, transform);
-      raw_.weldedPoints += object.weldedPoints;
-      raw_.bodies.push_back({object.name, "mesh", colourOf(model, object), 0});
+    if (all.triangles > kMaxTriangles) {
+      package_.fail(text("the package builds %1 triangles; at most %2 are taken",
+                         {formatFixed(all.triangles, 0), std::to_string(kMaxTriangles)}));
     }
   }
 
-  static std::string colourOf(const Model& model, const Object& object) {
+  /// Each object is counted once; it must exist, and not refer to itself.
+  Size sizeOf(const std::string& from, const ThreeMfReference& reference, int depth) {
+    context_.check();
+    const std::string& part = reference.part.empty() ? from : reference.part;
+    if (const auto known = sizes_.find({part, reference.id}); known != sizes_.end()) {
+      return known->second;
+    }
+    const ThreeMfModel& model = modelOf(part);
+    const auto it = model.objects.find(reference.id);
+    if (it == model.objects.end() || depth > kMaxDepth) {
+      const std::string id = printableName(reference.id);
+      const std::string where = printableName(part);
+      package_.fail(
+          depth > kMaxDepth
+              ? text("part '%1' refers to object '%2' in a circle", {where, id})
+              : text("part '%1' refers to object '%2', which does not exist", {where, id}));
+    }
+    Size size{1.0, static_cast<double>(it->second.mesh.triangles.size())};
+    for (const ThreeMfReference& component : it->second.components) {
+      const Size own = sizeOf(part, component, depth + 1);
+      size.instances += own.instances;
+      size.triangles += own.triangles;
+    }
+    sizes_[{part, reference.id}] = size;
+    return size;
+  }
+
+  /// @param outer transform of what refers to this; `role` and `name` given by it
+  void add(const std::string& from,
+           const ThreeMfReference& reference,
+           const ThreeMfTransform& outer,
+           BodyRole role,
+           const std::string& name) {
+    context_.check();
+    const std::string& part = reference.part.empty() ? from : reference.part;
+    const ThreeMfModel& model = modelOf(part);
+    const ThreeMfObject& object = model.objects.at(reference.id);
+    if (object.type == "support" || object.type == "solidsupport" || object.type == "other") {
+      ++(object.type == "other" ? leftOut_.others : leftOut_.supports);
+      return;
+    }
+    ThreeMfTransform transform = compose(reference.transform, outer);
+    for (const ThreeMfReference& component : object.components) {
+      const auto given = settings_.components.find({reference.id, component.id});
+      const bool known = part == root_ && given != settings_.components.end();
+      const bool own = known && given->second.role != BodyRole::Solid;
+      add(part, component, transform, own ? given->second.role : role,
+          known ? given->second.name : std::string());
+    }
+    if (object.beams > 0) {
+      leftOut_.beams += object.beams;
+      ++leftOut_.lattices;
+    }
+    if (!object.mesh.triangles.empty()) {
+      // Lengths of another model part are in its own unit.
+      transform *= model.millimetresPerUnit / raw_.millimetresPerUnit;
+      PlacedBody body{{},
+                      object.name.empty() ? name : object.name,
+                      colourOf(model, object),
+                      object.role != BodyRole::Solid ? object.role : role};
+      raw_.weldedPoints += object.weldedPoints;
+      addVolumes(part == root_ ? reference.id : std::string(), object, transform, body);
+    }
+  }
+
+  static std::string colourOf(const ThreeMfModel& model, const ThreeMfObject& object) {
     const auto it = model.colours.find(object.property);
     const bool known = it != model.colours.end() && object.propertyIndex < it->second.size();
     return known ? it->second[object.propertyIndex] : std::string();
   }
 
-  void addMesh(const Object& object, const Transform& m) {
-    TriangleMesh& mesh = raw_.mesh;
-    const std::size_t base = mesh.vertices.size();
-    if (base + object.mesh.vertices.size() >= geometry::HalfEdges::kNone ||
-        mesh.triangles.size() + object.mesh.triangles.size() >= geometry::HalfEdges::kNone / 3) {
-      package_.fail("the package has more triangles than can be handled");
+  /// Adds the mesh of an object, apart where a slicer has put several bodies into one.
+  void addVolumes(const std::string& id,
+                  const ThreeMfObject& object,
+                  const ThreeMfTransform& transform,
+                  const PlacedBody& body) {
+    const auto it = settings_.volumes.find(id);
+    const bool plain =
+        it == settings_.volumes.end() ||
+        std::all_of(it->second.begin(), it->second.end(),
+                    [](const ThreeMfVolume& v) { return v.role == BodyRole::Solid; });
+    if (plain) {
+      addBody(object.mesh, transform, body);
+      return;
     }
-    const Eigen::Matrix3d linear = m.topRows<3>();
-    for (const Vec3& p : object.mesh.vertices) {
-      mesh.vertices.push_back((p.transpose() * linear + m.row(3)).transpose());
-    }
-    const bool mirrored = linear.determinant() < 0.0;
-    for (auto t : object.mesh.triangles) {
-      if (mirrored) {
-        std::swap(t[1], t[2]);
+    std::vector<ThreeMfVolume> volumes = it->second;
+    std::sort(volumes.begin(), volumes.end(),
+              [](const ThreeMfVolume& a, const ThreeMfVolume& b) { return a.first < b.first; });
+    std::size_t done = 0;
+    const std::size_t count = object.mesh.triangles.size();
+    volumes.push_back({count, count, {}, BodyRole::Solid});  // what lies after the last
+    for (const ThreeMfVolume& volume : volumes) {
+      const std::size_t first = std::clamp(volume.first, done, count);
+      const std::size_t end = std::clamp(volume.last + 1, first, count);
+      if (first > done) {
+        addBody(partOf(object.mesh, done, first), transform, body);
       }
-      for (std::uint32_t& v : t) {
-        v += static_cast<std::uint32_t>(base);
+      if (end > first) {
+        PlacedBody own = body;
+        own.role = volume.role != BodyRole::Solid ? volume.role : body.role;
+        own.name = volume.name.empty() ? body.name : volume.name;
+        addBody(partOf(object.mesh, first, end), transform, own);
       }
-      mesh.triangles.push_back(t);
+      done = end;
     }
   }
 
-  Package& package_;
+  void addBody(const TriangleMesh& mesh, const ThreeMfTransform& m, PlacedBody body) {
+    if (body.role == BodyRole::Helper) {
+      ++leftOut_.helpers;
+      return;
+    }
+    body.mesh = mesh;
+    const Eigen::Matrix3d linear = m.topRows<3>();
+    for (Vec3& p : body.mesh.vertices) {
+      p = (p.transpose() * linear + m.row(3)).transpose();
+      if (!isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z())) {
+        package_.fail(text("object '%1' has a coordinate that is too large: %2",
+                           {body.name, formatReal(p.cwiseAbs().maxCoeff())}));
+      }
+    }
+    if (linear.determinant() < 0.0) {
+      for (auto& t : body.mesh.triangles) {
+        std::swap(t[1], t[2]);
+      }
+    }
+    bodies_.push_back(std::move(body));
+  }
+
+  /// Cuts the negative bodies of an item out of its others and adds what is left.
+  void finishItem() {
+    for (const PlacedBody& cutter : bodies_) {
+      if (cutter.role == BodyRole::Negative) {
+        cut(cutter);
+      }
+    }
+    for (PlacedBody& body : bodies_) {
+      if (body.role == BodyRole::Solid && !body.mesh.triangles.empty()) {
+        append(body.mesh);
+        raw_.bodies.push_back({std::move(body.name), "mesh", std::move(body.colour), 0});
+      }
+    }
+    bodies_.clear();
+  }
+
+  void cut(const PlacedBody& cutter) {
+    context_.check();
+    bool cutAny = false;
+    for (PlacedBody& body : bodies_) {
+      if (body.role != BodyRole::Solid) {
+        continue;
+      }
+      std::optional<TriangleMesh> rest = geometry::subtract(body.mesh, cutter.mesh);
+      if (!rest) {
+        context_.add({Severity::Warning,
+                      "import.negative_left_out",
+                      text("the negative volume '%1' cannot be cut out of '%2' and is left out; "
+                           "the part is solid there",
+                           {cutter.name, body.name}),
+                      "cut it with the program that made it and export the result",
+                      {},
+                      {}});
+        continue;
+      }
+      cutAny = true;
+      body.mesh = std::move(*rest);
+    }
+    if (cutAny) {
+      context_.add({Severity::Information,
+                    "import.negative_cut",
+                    text("the negative volume '%1' was cut out of the part", {cutter.name}),
+                    {},
+                    {},
+                    {}});
+    }
+  }
+
+  void append(const TriangleMesh& body) {
+    TriangleMesh& mesh = raw_.mesh;
+    const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), body.vertices.begin(), body.vertices.end());
+    for (const auto& t : body.triangles) {
+      mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    }
+  }
+
+  void tell() const {
+    const auto number = [](std::size_t n) { return std::to_string(n); };
+    addCounted(context_, Severity::Warning, "import.not_printable", leftOut_.notPrintable,
+               text("%1 items that are marked as not printable are left out",
+                    {number(leftOut_.notPrintable)}),
+               "mark them as printable in the program that made the file if they are wanted");
+    addCounted(context_, Severity::Information, "import.support_left_out", leftOut_.supports,
+               text("%1 supports are left out", {number(leftOut_.supports)}));
+    addCounted(context_, Severity::Warning, "import.other_left_out", leftOut_.others,
+               text("%1 objects of the type 'other' are left out", {number(leftOut_.others)}),
+               "give them the type 'model' if they are to be built");
+    addCounted(context_, Severity::Information, "import.modifier_left_out", leftOut_.helpers,
+               text("%1 modifiers, support blockers and the like are left out",
+                    {number(leftOut_.helpers)}));
+    addCounted(context_, Severity::Warning, "import.beam_lattice_left_out", leftOut_.lattices,
+               text("%1 beam lattices with %2 beams are left out",
+                    {number(leftOut_.lattices), number(leftOut_.beams)}),
+               "turn the beams into a mesh with the program that made the file");
+    std::map<std::string, std::size_t> unread;
+    for (const auto& [part, model] : models_) {
+      for (const auto& [name, count] : model.unreadExtensions) {
+        unread[name] += count;
+      }
+    }
+    for (const auto& [name, count] : unread) {
+      addCounted(
+          context_, Severity::Warning, "import.extension_left_out", count,
+          text("shapes of the 3MF extension '%1' are left out; only meshes are read", {name}),
+          "turn them into a mesh with the program that made the file");
+    }
+  }
+
+  [[noreturn]] void nothingLeft() const {
+    package_.fail(leftOut_.lattices > 0 ? text("the package has no triangles, only beam lattices")
+                  : leftOut_.notPrintable > 0
+                      ? text("the package has nothing to build: its items are marked as not "
+                             "printable")
+                      : text("the package has no triangles to build"));
+  }
+
+  const Package& package_;
   std::string root_;
+  SlicerSettings settings_;
   const JobContext& context_;
-  std::map<std::string, Model> models_;
+  std::map<std::string, ThreeMfModel> models_;
   RawMesh raw_;
-  std::size_t instances_ = 0;
+  LeftOut leftOut_;
+  std::vector<PlacedBody> bodies_;                             ///< of the item
+  std::map<std::pair<std::string, std::string>, Size> sizes_;  ///< by part and object
 };
 
 /// The model part that the package's relations name.
-std::string rootModel(Package& package, const JobContext& context) {
+class RelationsParser : public XmlHandler {
+public:
+  void start(const XmlName& name, const Attributes& a) override {
+    if (name.local == "Relationship" && a.get("Type").ends_with(kModelType)) {
+      target = a.get("Target");
+    }
+  }
+
   std::string target = kDefaultModel;
-  XmlReader relations(
-      package, "_rels/.rels",
-      [&](std::string_view name, const Attributes& a) {
-        if (name == "Relationship" && a.get("Type").ends_with(kModelType)) {
-          target = partName(a.get("Target"));
-        }
-      },
-      [](std::string_view) {});
-  relations.run(context);
-  return target;
+};
+
+std::string rootModel(const Package& package, const JobContext& context) {
+  RelationsParser parser;
+  XmlReader(package, Package::partName("_rels/.rels"), parser).run(context);
+  std::string root = Package::partName(parser.target);
+  if (!package.has(root)) {
+    package.fail(text("the ZIP archive has no 3MF model '%1'; its first file is '%2'",
+                      {printableName(parser.target), package.firstName()}));
+  }
+  return root;
 }
 
 }  // namespace
 
-RawMesh readThreeMf(const std::filesystem::path& file, const JobContext& context) {
-  const std::string fileText = pathText(file);
-  Package package(file, fileText);
-  const std::string root = rootModel(package, context);
-  return Assembler(package, root, context).run();
+RawMesh parseThreeMf(std::string_view bytes, const std::string& file, const JobContext& context) {
+  const Package package(bytes, file);
+  return Assembler(package, rootModel(package, context), context).run();
 }
 
 }  // namespace wcam::io

@@ -143,6 +143,10 @@ const wcam_plugin_descriptor* callEntry(void* symbol) {
 /// Refuses what is no shared library, and a library that was cut short: the loader maps it without
 /// looking at the size of the file, and the process dies at the first access beyond its end.
 void checkElf(const std::filesystem::path& library) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(library, error)) {  // opening a pipe would wait
+    refuse("its library cannot be loaded: it is not a file");
+  }
   std::ifstream file(library, std::ios::binary | std::ios::ate);
   const std::streamoff size = file.tellg();
   Elf64_Ehdr header{};

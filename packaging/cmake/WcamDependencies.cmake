@@ -8,6 +8,8 @@ find_package(TBB REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(CLI11 REQUIRED)
 find_package(EXPAT REQUIRED)
+find_package(ZLIB REQUIRED)
+# Writes the packages of the tests.
 find_library(WCAM_MINIZIP minizip REQUIRED)
 find_package(OpenCASCADE REQUIRED)
 find_package(CGAL REQUIRED)

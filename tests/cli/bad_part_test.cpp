@@ -5,6 +5,7 @@
 // written.
 #include "camcli.hpp"
 #include "random_source.hpp"
+#include <sys/stat.h>
 
 namespace wcam::testing {
 namespace {
@@ -87,6 +88,38 @@ TEST_F(BadPartFile, UnknownFormat) {
   const fs::path project = elbowWith("elbow.step", "elbow.docx");
   writeFileAtomically(project.parent_path() / "elbow.docx", "A letter.");
   EXPECT_THAT(refusedRun(project, 3), AllOf(HasSubstr("elbow.docx"), HasSubstr("STEP")));
+}
+
+TEST_F(BadPartFile, PipesAndDevicesAreRefusedAtOnce) {
+  const fs::path pipe = folder_ / "pipe.stl";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  ProcessRequest request;
+  request.timeout = std::chrono::seconds(20);
+  for (const std::string file :
+       {pipe.string(), std::string("/dev/zero"), folder_.path().string()}) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"info", file}, {"check", file}, {"--project", file}}) {
+      const ProcessResult result = camcli(arguments, request);
+      EXPECT_FALSE(result.timedOut) << file;
+      EXPECT_EQ(result.exitCode, 3) << arguments[0] << ": " << result.err;
+      EXPECT_THAT(result.err, HasSubstr(file));
+    }
+  }
+  // As the part of a project.
+  const fs::path project = elbowWith("elbow.step", "pipe.step");
+  ASSERT_EQ(::mkfifo((project.parent_path() / "pipe.step").c_str(), 0600), 0);
+  EXPECT_THAT(refusedRun(project, 3), AllOf(HasSubstr("pipe.step"), HasSubstr("pipe")));
+}
+
+/// Files with numbers that overflow ended the program as if it had a fault of its own.
+TEST_F(BadPartFile, OfTheTrials) {
+  const fs::path trials = fs::path(WCAM_TEST_DATA) / "trials";
+  for (const char* name : {"exit2_overflow.obj", "exit2.step", "exit2.3mf", "decimal_comma.wsurf",
+                           "html_saved_as.stl", "ply_points_scan.ply"}) {
+    const ProcessResult result = camcli({"info", trials / name});
+    EXPECT_EQ(result.exitCode, 3) << name << ": " << result.err;
+    EXPECT_THAT(result.err, AllOf(HasSubstr(name), HasSubstr("hint: ")));
+  }
 }
 
 TEST_F(BadPartFile, UnknownEdgeNameGivesNearNames) {

@@ -28,6 +28,17 @@ std::size_t entriesOf(const std::filesystem::path& folder) {
                                                 std::filesystem::directory_iterator()));
 }
 
+TEST(FileIo, PipesAndDevicesAreRefusedAtOnce) {
+  const TestFolder folder;
+  const std::filesystem::path pipe = folder / "pipe.json";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::filesystem::path& file :
+       {pipe, std::filesystem::path("/dev/zero"), std::filesystem::path("/dev/null")}) {
+    EXPECT_THAT(errorOf(ErrorCode::InputInvalid, [&] { (void)readFile(file); }),
+                AllOf(HasSubstr("a device or a pipe"), HasSubstr(file.string())));
+  }
+}
+
 TEST(FileIo, WritesAndReadsBytes) {
   const TestFolder folder;
   const std::string bytes("a\0\xff\r\n", 5);

@@ -97,6 +97,30 @@ TEST(GuideCurve, SplineThroughPointsIsExactAtThemAndSmooth) {
   }
 }
 
+TEST(GuideCurve, ListsAndAssignmentsAreNoFormulas) {
+  const auto refusal = [](const std::string& formula) -> std::string {
+    try {
+      guideFromFormula({formula, "0", "t"}, 0.0, 1.0);
+    } catch (const Error& error) {
+      return std::string(error.what()) + " | " + error.hintText().str();
+    }
+    return "taken";
+  };
+  const auto holds = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos ? testing::AssertionSuccess()
+                                                : testing::AssertionFailure() << text;
+  };
+  EXPECT_TRUE(holds(refusal("32,5"), "position 3"));
+  EXPECT_TRUE(holds(refusal("32,5"), "write 32.5,"));
+  EXPECT_TRUE(holds(refusal("max(1, 2) + 0,5*t"), "write max(1, 2) + 0.5*t,"));
+  EXPECT_TRUE(holds(refusal("t, 2*t"), "a list"));
+  EXPECT_TRUE(holds(refusal("t=5"), "an assignment (position 2)"));
+  EXPECT_TRUE(holds(refusal("t = t + 1"), "an assignment"));
+  EXPECT_TRUE(holds(refusal("t += 1"), "assignment"));
+  EXPECT_EQ(refusal("max(t, 0.5)"), "taken");
+  EXPECT_EQ(refusal("t >= 0.5 ? 1 : t <= 0.2 ? 2 : t == 0.3 ? 3 : t != 0.4"), "taken");
+}
+
 TEST(GuideCurve, ThreadsShareAFormula) {
   const auto guide = quarterCircle();
   const ThreadLimit limit(8);

@@ -78,7 +78,9 @@ struct ImportReport {
   std::size_t reorientedTriangles = 0;
   geometry::Box bounds;
   double area = 0.0;             ///< mm², of the triangles
-  std::optional<double> volume;  ///< mm³, of the triangles, when closed
+  std::optional<double> volume;  ///< mm³, of the triangles, when closed; overlaps count once
+  double overlap = 0.0;          ///< mm³ that more than one body of the file filled
+  bool overlapsUnited = false;   ///< these bodies are one in the surface
 
   /// The report as an object with unit-bearing keys; at most 100 border loops are listed.
   [[nodiscard]] Value toValue() const;
@@ -101,7 +103,11 @@ struct ImportedPart {
 ///
 /// Findings (codes import.*): units_guessed, welded, degenerate_dropped, flat_triangles,
 /// duplicate_dropped, reoriented, open_surface, non_manifold, no_solid, sewn, face_not_meshed,
-/// damaged_entities, trailing_bytes, end_missing, reader_message.
+/// damaged_entities, trailing_bytes, end_missing, reader_message, names_recoded, tessellated,
+/// tessellation_left_out, edges_left_out, free_form_left_out, other_file_left_out,
+/// overlapping_bodies, inner_shell_outwards, and for 3MF not_printable, support_left_out,
+/// other_left_out, modifier_left_out, beam_lattice_left_out, extension_left_out, negative_cut,
+/// negative_left_out.
 ///
 /// CAD files are read in a process of their own (wcam-cad-worker beside the engine library), so
 /// that a damaged file cannot harm this one and a cancel is answered at once. Safe to call from

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz_mesh.hpp"
+
+/// A sound mesh comes out, or an error of the file's kind.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  wcam::fuzz::checkReader(wcam::io::parsePly, data, size, "fuzz.ply");
+  return 0;
+}
