@@ -64,12 +64,12 @@ std::vector<const Contour*> contoursBelow(const SlicedLayers& sliced, std::size_
   std::vector<const Contour*> contours;
   for (const std::size_t l : below) {
     if (l >= sliced.layers.size() || l == layer) {
-      throw Error(
-          ErrorCode::InvalidArgument,
-          text("the strategy names layer %1 below layer %2 of %3",
-               {std::to_string(l), std::to_string(layer), std::to_string(sliced.layers.size())}),
-          text("layer %1", {std::to_string(layer)}),
-          "this is a fault of the strategy's plugin; report it to its author");
+      throw Error(ErrorCode::InvalidArgument,
+                  text("the strategy names layer %1 below layer %2 of %3",
+                       {std::to_string(l + 1), std::to_string(layer + 1),
+                        std::to_string(sliced.layers.size())}),
+                  text("layer %1", {std::to_string(layer + 1)}),
+                  "this is a fault of the strategy's plugin; report it to its author");
     }
     for (const Contour& contour : sliced.layers[l].contours) {
       contours.push_back(&contour);
@@ -159,7 +159,12 @@ void reportSeams(std::size_t tooClose,
                {{"beads", static_cast<double>(tooClose)}}});
 }
 
-/// Points of the first layer beside the plate.
+/// A point of a climbing bead lies on the plate where it is no higher above it than this many of
+/// its own heights: the first revolution, with the ramp that leads into the second.
+constexpr double kOnPlate = 1.5;
+
+/// Points of the first layer beside the plate. Of a bead that climbs only the first revolution lies
+/// on the plate; what is above may lean over its border.
 void reportOutsidePlate(const Layer& first, const Substrate& substrate, const JobContext& context) {
   if (!substrate.isPlate()) {
     return;
@@ -171,6 +176,9 @@ void reportOutsidePlate(const Layer& first, const Substrate& substrate, const Jo
   for (const Bead& bead : first.beads) {
     for (const PathPoint& point : bead.points) {
       const Vec3 p = T_substrate_part * point.p;
+      if (bead.revolutions > 0 && p.z() > kOnPlate * point.height) {
+        continue;
+      }
       const double excess = std::max(std::abs(p.x()) - half.x(), std::abs(p.y()) - half.y());
       outside += excess > 0.0 ? 1U : 0U;
       farthest = std::max(farthest, excess);
