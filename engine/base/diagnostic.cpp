@@ -52,20 +52,28 @@ Value toValue(const Diagnostic& diagnostic) {
   return result;
 }
 
+namespace {
+
+/// "elbow layer 4 bead 1 point 13": people count from 1, files from 0.
+std::string placeText(const Place& place) {
+  std::string where = place.operation;
+  const auto put = [&where](const char* name, int index) {
+    if (index >= 0) {
+      where += (where.empty() ? "" : " ") + std::string(name) + " " + std::to_string(index + 1);
+    }
+  };
+  put("layer", place.layer);
+  put("bead", place.bead);
+  put("point", place.point);
+  return where;
+}
+
+}  // namespace
+
 std::string toLine(const Diagnostic& diagnostic) {
   std::string line = std::string(toString(diagnostic.severity)) + " " + diagnostic.code;
-  const Place& place = diagnostic.place;
-  if (place != Place{}) {
-    std::string where = place.operation;
-    const auto put = [&where](const char* name, int index) {
-      if (index >= 0) {
-        where += (where.empty() ? "" : " ") + std::string(name) + " " + std::to_string(index);
-      }
-    };
-    put("layer", place.layer);
-    put("bead", place.bead);
-    put("point", place.point);
-    line += " [" + where + "]";
+  if (diagnostic.place != Place{}) {
+    line += " [" + placeText(diagnostic.place) + "]";
   }
   line += ": " + diagnostic.message.str();
   if (!diagnostic.remedy.empty()) {

@@ -116,9 +116,10 @@ private:
     finding.data.emplace_back("with_layer", place.layer);
     finding.data.emplace_back("with_bead", place.bead);
     finding.data.emplace_back("with_point", place.point);
-    return text(
-        "the part (layer %1, bead %2, point %3)",
-        {std::to_string(place.layer), std::to_string(place.bead), std::to_string(place.point)});
+    // People count from 1.
+    return text("the part (layer %1, bead %2, point %3)",
+                {std::to_string(place.layer + 1), std::to_string(place.bead + 1),
+                 std::to_string(place.point + 1)});
   }
 
   const collision::CellCollision& collision_;

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace wcam::motion {
 
@@ -38,7 +40,20 @@ struct Cure {
   Text text;
   std::string key;  ///< of the figure in data
   double figure = 0.0;
+  /// Figures that the project can be given, as try_* (see explain.hpp); none: a hint in words.
+  std::vector<std::pair<std::string, double>> tries = {};
 };
+
+/// Modes whose rotation about the torch is that of the parameter.
+bool rotationIsGiven(const MotionParams& params) {
+  return params.mode != RedundancyMode::Optimized && params.mode != RedundancyMode::PlanarVertical;
+}
+
+std::pair<std::string, double> tryRotation(const MotionParams& params, double change) {
+  const double angle = cell::wrapAngle(params.torchRotation.value() + change);
+  constexpr double kTenths = 10.0;
+  return {"try_rotation_deg", std::round(radToDeg(angle) * kTenths) / kTenths};
+}
 
 std::string deg(double rad) {
   return formatFixed(radToDeg(rad), 0) + " deg";
@@ -48,7 +63,7 @@ std::string sign(double value) {
   return value > 0 ? "+" : "-";
 }
 
-std::vector<Cure> rotations() {
+std::vector<Cure> rotations(const MotionParams& params) {
   std::vector<Cure> cures;
   for (int k = 1; k * kRotationStep <= kPi + 1e-9; ++k) {
     for (const double s : {1.0, -1.0}) {
@@ -57,13 +72,16 @@ std::vector<Cure> rotations() {
       cure.text = text("rotate the torch about its axis by %1", {sign(s) + deg(k * kRotationStep)});
       cure.key = "cure_rotation_deg";
       cure.figure = radToDeg(cure.change.rotation);
+      if (rotationIsGiven(params)) {
+        cure.tries = {tryRotation(params, cure.change.rotation)};
+      }
       cures.push_back(cure);
     }
   }
   return cures;
 }
 
-std::vector<Cure> branches(bool turned, const cell::Cell& cell) {
+std::vector<Cure> branches(bool turned, const cell::Cell& cell, const MotionParams& params) {
   std::vector<Cure> cures;
   for (int k = 0; k < cell.inverse->branches(); ++k) {
     const std::string name = cell.inverse->branchName(k);
@@ -78,6 +96,13 @@ std::vector<Cure> branches(bool turned, const cell::Cell& cell) {
               : text("use the configuration %1", {name});
       cure.key = "cure_branch";
       cure.figure = k;
+      // Only the configurations of an arm have a parameter.
+      if (cell.arm) {
+        cure.tries = {{"try_branch", k}};
+      }
+      if (cell.arm && cure.change.rotation != 0.0 && rotationIsGiven(params)) {
+        cure.tries.push_back(tryRotation(params, cure.change.rotation));
+      }
       cures.push_back(cure);
     }
   }
@@ -85,6 +110,10 @@ std::vector<Cure> branches(bool turned, const cell::Cell& cell) {
 }
 
 std::vector<Cure> tilts(const MotionParams& params) {
+  std::vector<std::pair<std::string, double>> tries;
+  if (params.checkCollisions && !params.exitRotations) {
+    tries = {{"try_exit_rotations", 1.0}};
+  }
   std::vector<Cure> cures;
   for (int k = 1; k * kTiltStep <= params.exitLateral.value() + 1e-9; ++k) {
     for (const double s : {1.0, -1.0}) {
@@ -95,6 +124,7 @@ std::vector<Cure> tilts(const MotionParams& params) {
                {sign(s) + deg(k * kTiltStep)});
       cure.key = "cure_lateral_deg";
       cure.figure = radToDeg(cure.change.lateral);
+      cure.tries = tries;
       cures.push_back(cure);
     }
   }
@@ -105,6 +135,7 @@ std::vector<Cure> tilts(const MotionParams& params) {
       cure.text = text("tilt the torch by %1 along the travel", {sign(s) + deg(k * kTiltStep)});
       cure.key = "cure_lead_deg";
       cure.figure = radToDeg(cure.change.lead);
+      cure.tries = tries;
       cures.push_back(cure);
     }
   }
@@ -127,6 +158,9 @@ std::vector<Cure> moves(bool inBase, const cell::Cell& cell) {
         cure.key = std::string(inBase ? "cure_base_" : "cure_table_") +
                    static_cast<char>('x' + axis) + "_mm";
         cure.figure = step;
+        if (!inBase) {
+          cure.tries = {{std::string("try_table_") + static_cast<char>('x' + axis) + "_mm", step}};
+        }
         cures.push_back(cure);
       }
     }
@@ -143,6 +177,7 @@ std::vector<Cure> partTurns() {
       cure.text = text("turn the part on the table by %1", {sign(s) + deg(k * kTurnStep)});
       cure.key = "cure_turn_deg";
       cure.figure = radToDeg(cure.change.turn);
+      cure.tries = {{"try_turn_deg", std::round(radToDeg(cure.change.turn))}};
       cures.push_back(cure);
     }
   }
@@ -178,6 +213,7 @@ std::vector<Cure> otherConfiguration(const cell::Cell& cell) {
                          {other.name, other.inverse->branchName(branch)});
         cure.key = "cure_other_branch";
         cure.figure = branch;
+        cure.tries = {{"try_other_branch", branch}};
         cures.push_back(cure);
       }
     }
@@ -190,15 +226,15 @@ std::vector<std::vector<Cure>> allCures(const cell::Cell& cell, const MotionPara
   std::vector<std::vector<Cure>> groups;
   const bool turns = cell.inverse->freeRotation();
   if (turns) {
-    groups.push_back(rotations());
+    groups.push_back(rotations(params));
   }
-  groups.push_back(branches(false, cell));
+  groups.push_back(branches(false, cell, params));
   if (!cell.partCarried() && cell.positionerJoints() == 2) {
     groups.push_back({otherPositioner()});
   }
   groups.push_back(tilts(params));
   if (turns) {
-    groups.push_back(branches(true, cell));
+    groups.push_back(branches(true, cell, params));
   }
   groups.push_back(partTurns());
   groups.push_back(moves(false, cell));
@@ -286,14 +322,27 @@ bool movesSomething(const Cure& cure) {
          cure.change.inBase != Vec3::Zero();
 }
 
+/// The cure that serves most points, the first of equal ones.
+struct Best {
+  const Cure* cure = nullptr;
+  std::size_t served = 0;
+
+  void take(const Cure& other, std::size_t count) {
+    if (count > served) {
+      served = count;
+      cure = &other;
+    }
+  }
+};
+
 void explain(Diagnostic& finding,
              const Explanation& explanation,
              const Trial& trial,
              const std::vector<std::vector<Cure>>& groups,
              const MotionParams& params,
              const JobContext& context) {
-  const Cure* best = nullptr;
-  std::size_t served = 0;
+  Best best;
+  Best applicable;  ///< of those that a project can be changed by
   // Where part or positioner are moved, collisions are not looked at: no cure for one.
   const bool collides =
       finding.code == "motion.collision" || finding.code == "motion.near_collision";
@@ -303,20 +352,25 @@ void explain(Diagnostic& finding,
       continue;
     }
     for (const Cure& cure : group) {
-      const std::size_t count = explanation.served(trial, cure.change, params);
-      if (count > served) {
-        served = count;
-        best = &cure;
+      const bool wanted = best.served < explanation.count() || !cure.tries.empty();
+      const std::size_t count = wanted ? explanation.served(trial, cure.change, params) : 0;
+      best.take(cure, count);
+      if (!cure.tries.empty()) {
+        applicable.take(cure, count);
       }
-      if (served == explanation.count()) {
+      if (applicable.served == explanation.count()) {
         break;
       }
     }
-    if (served == explanation.count()) {
+    if (applicable.served == explanation.count()) {
       break;
     }
   }
-  if (best == nullptr) {
+  if (applicable.cure != nullptr) {
+    finding.data.insert(finding.data.end(), applicable.cure->tries.begin(),
+                        applicable.cure->tries.end());
+  }
+  if (best.cure == nullptr) {
     if (collides) {
       finding.remedy =
           "none of these alone puts it right: rotations about the torch, the other configurations, "
@@ -336,20 +390,21 @@ void explain(Diagnostic& finding,
         {formatFixed(kGreatestMove, 0)});
     return;
   }
-  const bool moved = movesSomething(*best);
-  const bool all = served == explanation.count();
+  const Cure& cure = *best.cure;
+  const bool moved = movesSomething(cure);
+  const bool all = best.served == explanation.count();
   const char* pattern =
-      moved ? (all ? "%1: that serves all points tried of this bead (reach, limits and "
+      moved ? (all ? "a hint: %1, which serves all points tried of this bead (reach, limits and "
                      "singularities; collisions not looked at)"
-                   : "%1: that serves %2 of %3 points tried of this bead (reach, limits and "
-                     "singularities; collisions not looked at)")
-            : (all ? "%1: that serves all points tried of this bead"
-                   : "%1: that serves %2 of %3 points tried of this bead");
+                   : "a hint: %1, which serves %2 of %3 points tried of this bead (reach, limits "
+                     "and singularities; collisions not looked at)")
+            : (all ? "a hint: %1, which serves all points tried of this bead"
+                   : "a hint: %1, which serves %2 of %3 points tried of this bead");
   finding.remedy =
-      text(pattern, {best->text, std::to_string(served), std::to_string(explanation.count())});
-  finding.data.emplace_back(best->key, best->figure);
-  if (best->key == "cure_branch" && best->change.rotation != 0.0) {
-    finding.data.emplace_back("cure_rotation_deg", radToDeg(best->change.rotation));
+      text(pattern, {cure.text, std::to_string(best.served), std::to_string(explanation.count())});
+  finding.data.emplace_back(cure.key, cure.figure);
+  if (cure.key == "cure_branch" && cure.change.rotation != 0.0) {
+    finding.data.emplace_back("cure_rotation_deg", radToDeg(cure.change.rotation));
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/remedy.hpp"
+
 #include "library.hpp"
 
 #include <algorithm>
@@ -35,6 +37,9 @@ public:
       }
       fail("stopped as if it were cancelled, but nobody asked for it",
            "report this to the vendor of the plugin");
+    } catch (const RemediedError& error) {
+      throw RemediedError(Error(ErrorCode::JobFailed, error.whatText(), place_, error.hintText()),
+                          error.settings());
     } catch (const Error& error) {
       fail(error.whatText(), error.hintText());
     } catch (...) {
@@ -54,10 +59,10 @@ Text contourProblem(const toolpath::Contour& contour, std::size_t parts) {
     const toolpath::ContourPoint& point = contour.points[i];
     if (!point.p.allFinite() || !point.n.allFinite() || !point.axis.allFinite() ||
         !std::isfinite(point.height) || !std::isfinite(point.width)) {
-      return text("has a number that is not finite at point %1", {std::to_string(i)});
+      return text("has a number that is not finite at point %1", {std::to_string(i + 1)});
     }
     if (point.height < 0.0 || point.width < 0.0) {
-      return text("has a negative height or width at point %1", {std::to_string(i)});
+      return text("has a negative height or width at point %1", {std::to_string(i + 1)});
     }
   }
   for (std::size_t k = 0; k < contour.turns.size(); ++k) {
@@ -89,13 +94,13 @@ public:
       const bool finite =
           std::isfinite(layer.level) && layer.up.allFinite() && std::isfinite(layer.nominalHeight);
       if (!finite) {
-        guard_.fail(text("layer %1 has a number that is not finite", {std::to_string(i)}));
+        guard_.fail(text("layer %1 has a number that is not finite", {std::to_string(i + 1)}));
       }
       for (std::size_t k = 0; k < layer.contours.size(); ++k) {
         const Text problem = contourProblem(layer.contours[k], partCount(input));
         if (!problem.empty()) {
-          guard_.fail(
-              text("layer %1 contour %2 %3", {std::to_string(i), std::to_string(k), problem}));
+          guard_.fail(text("layer %1 contour %2 %3",
+                           {std::to_string(i + 1), std::to_string(k + 1), problem}));
         }
       }
     }

@@ -5,14 +5,19 @@
 
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/remedy.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/mesh_deviation.hpp"
 #include "wcam/motion/pauses.hpp"
 #include "wcam/program/from_motion.hpp"
 #include "wcam/project/project_file.hpp"
+#include "wcam/toolpath/edit_findings.hpp"
 #include "wcam/toolpath/part_coverage.hpp"
 
+#include "remedies.hpp"
+
 #include <algorithm>
+#include <optional>
 
 namespace wcam::project {
 
@@ -21,13 +26,14 @@ namespace {
 // Raise the version of a stage when the same input gives another result.
 constexpr int kPartVersion = 2;
 constexpr int kSubstrateVersion = 1;
-constexpr int kSliceVersion = 3;
+constexpr int kSliceVersion = 4;
 constexpr int kPathVersion = 2;
-constexpr int kEditsVersion = 1;
+constexpr int kEditsVersion = 2;
 constexpr int kProcessVersion = 1;
 constexpr int kCellVersion = 2;
 constexpr int kMotionVersion = 4;
 constexpr int kProgramVersion = 1;
+constexpr int kRemediesVersion = 1;
 
 std::string placementText(const Placement& placement) {
   std::string text;
@@ -134,6 +140,16 @@ std::vector<Diagnostic> compareWithBead(const io::ImportedPart& part,
        {{"min_mm", wall.min}, {"max_mm", wall.max}, {"bead_width_mm", beadWidth}}}};
 }
 
+std::vector<toolpath::Edit> enabledEdits(const Operation& operation) {
+  std::vector<toolpath::Edit> edits;
+  for (const OperationEdit& edit : operation.edits) {
+    if (edit.enabled) {
+      edits.push_back(toolpath::readEdit(edit.id, edit.type, edit.params));
+    }
+  }
+  return edits;
+}
+
 void checkParams(const ParamSchema& schema,
                  const Value& params,
                  const std::string& path,
@@ -144,6 +160,11 @@ void checkParams(const ParamSchema& schema,
 }
 
 }  // namespace
+
+OperationError::OperationError(const Error& error, std::vector<Command> remedy)
+    : Error(error), remedy_(std::move(remedy)) {}
+
+OperationError::~OperationError() = default;
 
 Pipeline::Pipeline(Document document,
                    std::filesystem::path project,
@@ -265,9 +286,9 @@ std::shared_ptr<const io::ImportedPart> Pipeline::importPart(const std::string& 
   return stagePart(part, context).value;
 }
 
-Staged<toolpath::Substrate> Pipeline::stageSubstrate(const Operation& operation,
+Staged<toolpath::Substrate> Pipeline::stageSubstrate(const std::string& id,
                                                      const JobContext& context) const {
-  const Substrate& substrate = *document_.project().substrate(operation.substrate);
+  const Substrate& substrate = *document_.project().substrate(id);
   StageKey key("substrate", kSubstrateVersion);
   key.text(placementText(substrate.placement));
   std::shared_ptr<const geometry::PartSurface> body;
@@ -287,6 +308,15 @@ Staged<toolpath::Substrate> Pipeline::stageSubstrate(const Operation& operation,
                : toolpath::Substrate(pose, geometry::Vec3(substrate.sizeMm[0], substrate.sizeMm[1],
                                                           substrate.sizeMm[2]));
   });
+}
+
+std::shared_ptr<const toolpath::Substrate> Pipeline::loadSubstrate(
+    const std::string& substrate, const JobContext& context) const {
+  return stageSubstrate(substrate, context).value;
+}
+
+std::shared_ptr<const cell::Cell> Pipeline::loadCell(const JobContext& context) const {
+  return stageCell(context).value;
 }
 
 std::shared_ptr<const geometry::GuideCurve> Pipeline::makeGuide(const Guide& guide,
@@ -395,10 +425,19 @@ OperationResult Pipeline::computeUntil(const std::string& id,
                                        Until until,
                                        const JobContext& context) const {
   const Operation& operation = operationOf(id);
+  const Text place = text("operation '%1'", {id});
   try {
     return computeStages(operation, until, context);
+  } catch (const RemediedError& error) {
+    std::vector<Command> remedy;
+    for (const ParamSetting& setting : error.settings()) {
+      remedy.push_back(detail::setParam(id, setting));
+    }
+    throw OperationError(Error(error.code(), error.messageText(),
+                               text("%1: %2", {place, error.contextText()}), error.hintText()),
+                         std::move(remedy));
   } catch (const Error& error) {
-    rethrowIn(error, text("operation '%1'", {id}));
+    rethrowIn(error, place);
   }
 }
 
@@ -429,10 +468,9 @@ Staged<toolpath::Toolpath> Pipeline::stageEdits(const Operation& operation,
                                                 const JobContext& context) const {
   StageKey key("edits", kEditsVersion);
   key.text(path.key);
-  std::vector<toolpath::Edit> edits;
+  const std::vector<toolpath::Edit> edits = enabledEdits(operation);
   for (const OperationEdit& edit : operation.edits) {
     if (edit.enabled) {
-      edits.push_back(toolpath::readEdit(edit.id, edit.type, edit.params));
       key.text(edit.id)
           .text(toolpath::infoOf(edit.type).key)
           .params(toolpath::editSchema(edit.type).params().complete(edit.params));
@@ -466,7 +504,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
     input.parts.push_back(part.value->surface);
     sliceKey.text(part.key);
   }
-  const Staged<toolpath::Substrate> substrate = stageSubstrate(operation, context);
+  const Staged<toolpath::Substrate> substrate = stageSubstrate(operation.substrate, context);
   collectFrom(substrate);
   result.substrate = input.substrate = substrate.value;
   if (!operation.guide.empty()) {
@@ -528,6 +566,9 @@ OperationResult Pipeline::computeStages(const Operation& operation,
 
   const Staged<toolpath::Toolpath> edited = stageEdits(operation, path, pathParams, context);
   if (edited.key != path.key) {
+    // What was found before is about the layers as the strategy made them.
+    result.findings = toolpath::findingsAfter(std::move(result.findings), path.value->layers.size(),
+                                              enabledEdits(operation));
     collectFrom(edited);
   }
 
@@ -540,6 +581,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   collectFrom(processed);
   result.path = processed.value;
 
+  result.remedies = detail::triedSettings(result.findings, operation.id);
   if (until == Until::Path) {
     return result;
   }
@@ -589,8 +631,56 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       });
   collectFrom(program);
   result.program = program.value;
+  if (!isTrial_) {
+    addRemedies(operation, result, motion.key, context.portion(1.0, 1.0));
+  }
   context.report(1.0);
   return result;
+}
+
+void Pipeline::addRemedies(const Operation& operation,
+                           OperationResult& result,
+                           const std::string& key,
+                           const JobContext& context) const {
+  // Each try plans the whole operation: as many as take a time like that of the planning itself.
+  constexpr std::size_t kMostTries = 3;
+  constexpr std::size_t kMostPoints = 60000;
+  const std::size_t tries =
+      std::min(kMostTries, kMostPoints / std::max<std::size_t>(result.path->pointCount(), 1));
+  const auto makeProposal = [&](const Diagnostic& finding) {
+    return detail::proposalOf(finding, document_, operation.id, *result.cell, project_);
+  };
+  const auto tryRemedy =
+      [&](const std::vector<Command>& commands) -> std::optional<std::vector<Diagnostic>> {
+    try {
+      Document changed = document_;
+      for (const Command& command : commands) {
+        changed = apply(changed, command);
+      }
+      Pipeline trial(changed, project_, plugins_, cache_);
+      trial.isTrial_ = true;
+      return trial.computeUntil(operation.id, Until::Program, context).findings;
+    } catch (const CancelledError&) {
+      throw;
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  };
+  StageKey stageKey("remedies", kRemediesVersion);
+  stageKey.text(key).text(operation.id);
+  const auto tried = stage<detail::RemediedFindings>(
+      "remedies", std::move(stageKey), context, [&](const JobContext&) {
+        return detail::triedRemedies(result.findings, makeProposal, tryRemedy, tries);
+      });
+  result.findings = tried.value->findings;
+  result.remedies = tried.value->commands;
+  // What a stage has tried itself needs no try.
+  const auto settings = detail::triedSettings(result.findings, operation.id);
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (!settings[i].empty()) {
+      result.remedies[i] = settings[i];
+    }
+  }
 }
 
 std::vector<plugin::OutputFile> Pipeline::post(const Output& output,

@@ -56,12 +56,22 @@ Value countsByCode(const std::vector<Diagnostic>& findings) {
   return result;
 }
 
-Value listOf(const std::vector<Diagnostic>& findings) {
-  Value list = Value::array();
-  for (const Diagnostic& finding : findings) {
-    list.push(toValue(finding));
+/// The lines that `camcli apply` takes.
+Value linesOf(const std::vector<Command>& commands) {
+  Value lines = Value::array();
+  for (const Command& command : commands) {
+    lines.push(toValue(command));
   }
-  return list;
+  return lines;
+}
+
+/// Adds a finding, with "apply" where its remedy is one that was tried.
+void addFinding(Value& list, const Diagnostic& finding, const std::vector<Command>& remedy) {
+  Value value = toValue(finding);
+  if (!remedy.empty()) {
+    value.set("apply", linesOf(remedy));
+  }
+  list.push(std::move(value));
 }
 
 Value errorValue(const RunFailure& failure) {
@@ -74,6 +84,9 @@ Value errorValue(const RunFailure& failure) {
       .set("message", failure.error.what());
   if (!failure.error.hint().empty()) {
     value.set("hint", failure.error.hint());
+  }
+  if (!failure.remedy.empty()) {
+    value.set("apply", linesOf(failure.remedy));
   }
   return value;
 }
@@ -260,10 +273,16 @@ Value projectReport(const Document& document,
                     const std::vector<Diagnostic>& projectFindings,
                     const std::vector<RunFailure>& failures) {
   Value operations = Value::array();
-  std::vector<Diagnostic> findings = projectFindings;
+  Value findings = Value::array();
+  for (const Diagnostic& finding : projectFindings) {
+    addFinding(findings, finding, {});
+  }
   for (const OperationResult& result : results) {
     operations.push(operationReport(result));
-    findings.insert(findings.end(), result.findings.begin(), result.findings.end());
+    for (std::size_t i = 0; i < result.findings.size(); ++i) {
+      addFinding(findings, result.findings[i],
+                 i < result.remedies.size() ? result.remedies[i] : std::vector<Command>());
+    }
   }
   Value written = Value::array();
   for (const WrittenFile& file : files) {
@@ -284,7 +303,7 @@ Value projectReport(const Document& document,
       .set("project", document.project().name)
       .set("operations", operations)
       .set("files", written)
-      .set("diagnostics", listOf(findings))
+      .set("diagnostics", findings)
       .set("errors", errors);
 }
 

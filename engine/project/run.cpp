@@ -270,6 +270,8 @@ void computeAll(const Pipeline& pipeline,
       result.violations += hasViolation(result.operations.back()) ? 1U : 0U;
     } catch (const CancelledError&) {
       throw;
+    } catch (const OperationError& error) {
+      result.failures.push_back({text("operation '%1'", {ids[i]}), error, error.remedy()});
     } catch (const Error& error) {
       result.failures.push_back({text("operation '%1'", {ids[i]}), error});
     }

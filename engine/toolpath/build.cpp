@@ -66,12 +66,12 @@ std::vector<const Contour*> contoursBelow(const SlicedLayers& sliced, std::size_
   std::vector<const Contour*> contours;
   for (const std::size_t l : below) {
     if (l >= sliced.layers.size() || l == layer) {
-      throw Error(
-          ErrorCode::InvalidArgument,
-          text("the strategy names layer %1 below layer %2 of %3",
-               {std::to_string(l), std::to_string(layer), std::to_string(sliced.layers.size())}),
-          text("layer %1", {std::to_string(layer)}),
-          "this is a fault of the strategy's plugin; report it to its author");
+      throw Error(ErrorCode::InvalidArgument,
+                  text("the strategy names layer %1 below layer %2 of %3",
+                       {std::to_string(l + 1), std::to_string(layer + 1),
+                        std::to_string(sliced.layers.size())}),
+                  text("layer %1", {std::to_string(layer + 1)}),
+                  "this is a fault of the strategy's plugin; report it to its author");
     }
     for (const Contour& contour : sliced.layers[l].contours) {
       contours.push_back(&contour);

@@ -18,8 +18,9 @@ void addLayers(Schema<EditParams>& schema) {
   schema
       .add(&EditParams::firstLayer, {.key = "first_layer",
                                      .label = "First layer",
-                                     .help = "Counted from 0; negative numbers count from the top, "
-                                             "whose layer is -1.",
+                                     .help = "Counted from 0 in files, from 1 in the window; "
+                                             "negative numbers count from the top, whose layer "
+                                             "is -1.",
                                      .group = "Selection",
                                      .min = -kManyLayers,
                                      .max = kManyLayers})
@@ -34,7 +35,8 @@ void addLayers(Schema<EditParams>& schema) {
 void addBead(Schema<EditParams>& schema) {
   schema.add(&EditParams::bead, {.key = "bead",
                                  .label = "Bead",
-                                 .help = "Index in each layer, from 0; -1 is all beads.",
+                                 .help = "Counted in each layer, from 0 in files, from 1 in the "
+                                         "window; -1 is all beads.",
                                  .group = "Selection",
                                  .min = -1,
                                  .max = kManyLayers});

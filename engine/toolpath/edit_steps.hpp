@@ -16,8 +16,9 @@ namespace wcam::toolpath::detail {
 /// "the edit 'slow' (set_speed)".
 Text nameOf(const Edit& edit);
 
-/// First and last index of the layers that an edit means; nothing when the path has none of them.
-/// Finding: edit.range_clipped
+/// First and last index of the layers that an edit means; nothing when there are none of them.
+std::optional<std::pair<std::size_t, std::size_t>> layersOf(std::size_t layers, const Edit& edit);
+/// The same. Finding: edit.range_clipped
 std::optional<std::pair<std::size_t, std::size_t>> layersOf(const Toolpath& path,
                                                             const Edit& edit,
                                                             const JobContext& context);

@@ -4,6 +4,7 @@
 #include "wcam/toolpath/edits.hpp"
 
 #include "wcam/base/text.hpp"
+#include "wcam/toolpath/edit_findings.hpp"
 
 #include "edit_steps.hpp"
 
@@ -17,30 +18,50 @@ Text nameOf(const Edit& edit) {
   return text("the edit '%1' (%2)", {edit.id, std::string(infoOf(edit.type).key)});
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> layersOf(const Toolpath& path,
-                                                            const Edit& edit,
-                                                            const JobContext& context) {
-  const auto count = static_cast<int>(path.layers.size());
-  const auto resolved = [count](int index) { return index < 0 ? index + count : index; };
-  const int first = resolved(edit.params.firstLayer);
-  const int last = resolved(edit.params.lastLayer);
-  const int from = std::max(first, 0);
-  const int to = std::min(last, count - 1);
+namespace {
+
+int resolved(int index, std::size_t layers) {
+  return index < 0 ? index + static_cast<int>(layers) : index;
+}
+
+/// As people write it: from 1, and from the top with negative numbers.
+std::string layerText(int index) {
+  return std::to_string(index < 0 ? index : index + 1);
+}
+
+}  // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>> layersOf(std::size_t layers, const Edit& edit) {
+  const int from = std::max(resolved(edit.params.firstLayer, layers), 0);
+  const int to = std::min(resolved(edit.params.lastLayer, layers), static_cast<int>(layers) - 1);
   if (from > to) {
     return std::nullopt;
   }
-  if (from != first || to != last) {
-    context.add(
-        {Severity::Information,
-         "edit.range_clipped",
-         text("%1 names layers %2 to %3, of which there are %4 to %5",
-              {nameOf(edit), std::to_string(edit.params.firstLayer),
-               std::to_string(edit.params.lastLayer), std::to_string(from), std::to_string(to)}),
-         "fit first_layer and last_layer to the layers that there are",
-         {{}, from, -1, -1},
-         {{"layers", static_cast<double>(count)}}});
-  }
   return std::pair{static_cast<std::size_t>(from), static_cast<std::size_t>(to)};
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> layersOf(const Toolpath& path,
+                                                            const Edit& edit,
+                                                            const JobContext& context) {
+  const std::size_t count = path.layers.size();
+  const auto range = layersOf(count, edit);
+  if (!range) {
+    return std::nullopt;
+  }
+  const auto from = static_cast<int>(range->first);
+  const auto to = static_cast<int>(range->second);
+  if (from != resolved(edit.params.firstLayer, count) ||
+      to != resolved(edit.params.lastLayer, count)) {
+    context.add({Severity::Information,
+                 "edit.range_clipped",
+                 text("%1 names layers %2 to %3, of which there are %4 to %5",
+                      {nameOf(edit), layerText(edit.params.firstLayer),
+                       layerText(edit.params.lastLayer), layerText(from), layerText(to)}),
+                 "fit first_layer and last_layer to the layers that there are",
+                 {{}, from, -1, -1},
+                 {{"layers", static_cast<double>(count)}}});
+  }
+  return range;
 }
 
 namespace {
@@ -136,10 +157,18 @@ Toolpath applyEdits(const Toolpath& path,
                     const ZoneParams& zones,
                     const JobContext& context) {
   Toolpath edited = path;
+  std::vector<Diagnostic> findings;
   for (std::size_t i = 0; i < edits.size(); ++i) {
-    edited = applyEdit(edited, edits[i], zones, context);
+    const JobContext own = context.withOwnDiagnostics();
+    const std::size_t layers = edited.layers.size();
+    edited = applyEdit(edited, edits[i], zones, own);
+    // What an edit found must still be found where it is after the ones that follow.
+    findings = findingsAfter(std::move(findings), layers, {edits[i]});
+    const std::vector<Diagnostic> found = own.diagnostics().items();
+    findings.insert(findings.end(), found.begin(), found.end());
     context.report(static_cast<double>(i + 1) / static_cast<double>(edits.size()));
   }
+  context.diagnostics().append(findings);
   if (edited.beadCount() == 0 && path.beadCount() > 0) {
     context.add({Severity::Warning,
                  "edit.nothing_left",

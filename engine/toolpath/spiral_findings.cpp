@@ -45,7 +45,7 @@ void reportSpiralHeights(const SpiralHeights& heights, const JobContext& context
                  "%3 to %4 mm are wanted",
            {std::to_string(heights.outside), formatFixed(heights.worst, 3),
             formatFixed(heights.low, 3), formatFixed(heights.high, 3)}),
-       "widen the modulation range, or choose another decomposition",
+       "a wider modulation range or another decomposition may help",
        {{}, 0, -1, -1},
        {{"points", static_cast<double>(heights.outside)},
         {"height_mm", heights.worst},

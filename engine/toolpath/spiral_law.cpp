@@ -300,7 +300,7 @@ SpiralPlan planContinuous(const std::vector<double>& lengths, const SpiralWish& 
         2.0 * wish.height;
     refuse(ErrorCode::JobFailed,
            text("generatrix %1 is %2 mm long, too short for the start and the end of a spiral",
-                {std::to_string(shortest - lengths.begin()), formatFixed(*shortest, 2)}),
+                {std::to_string(shortest - lengths.begin() + 1), formatFixed(*shortest, 2)}),
            text("at ±%1 % about %2 mm are needed: widen the range, lower the deposit, or start "
                 "with a simple ramp",
                 {formatFixed(50.0 * (wish.heightMax - wish.heightMin) / wish.height, 0),
@@ -365,7 +365,7 @@ SpiralPlan planLiteral(const std::vector<double>& lengths, const SpiralWish& wis
   if (!(*shortest >= wish.heightMin)) {
     refuse(ErrorCode::JobFailed,
            text("generatrix %1 is %2 mm long, too short for the start of a spiral",
-                {std::to_string(shortest - left.begin()),
+                {std::to_string(shortest - left.begin() + 1),
                  formatFixed(lengths[static_cast<std::size_t>(shortest - left.begin())], 2)}),
            "widen the range, lower the deposit, or start without ramps");
   }
@@ -472,7 +472,7 @@ SpiralPlan planSpiral(const std::vector<double>& lengths, const SpiralWish& wish
   }
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (!(lengths[i] > 0.0) || !std::isfinite(lengths[i])) {
-      refuse(ErrorCode::JobFailed, text("generatrix %1 has no length", {std::to_string(i)}),
+      refuse(ErrorCode::JobFailed, text("generatrix %1 has no length", {std::to_string(i + 1)}),
              "check the part's borders");
     }
   }
@@ -481,14 +481,42 @@ SpiralPlan planSpiral(const std::vector<double>& lengths, const SpiralWish& wish
   return literal ? planLiteral(lengths, wish) : planContinuous(lengths, wish);
 }
 
-Text rangeThatWouldDo(const std::vector<double>& lengths, const SpiralWish& wish) {
+SpiralRange roundedOutwards(double low, double high) {
+  constexpr double kSteps = 100.0;  // hundredths of a millimetre, as rangeText shows them
+  // An end that is such a step already, but for rounding, stays.
+  return {std::floor(low * kSteps + kWhole) / kSteps, std::ceil(high * kSteps - kWhole) / kSteps};
+}
+
+std::optional<SpiralRange> rangeThatWouldDo(const std::vector<double>& lengths,
+                                            const SpiralWish& wish) {
   const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
-  const double half = (*longest - *shortest) / (*longest + *shortest);
-  // One more percent for the whole number of revolutions.
-  const double percent = std::ceil(100.0 * half) + 1.0;
-  return text("±%1 %, that is %2 to %3 mm",
-              {formatFixed(percent, 0), formatFixed(wish.height * (1.0 - percent / 100.0), 2),
-               formatFixed(wish.height * (1.0 + percent / 100.0), 2)});
+  constexpr double kLast = 0.9;
+  constexpr double kPercent = 0.01;
+  constexpr double kGrowth = 1.1;
+  // No range is narrower than the spread of the lengths; whole revolutions need some more.
+  double part = std::max((*longest - *shortest) / (*longest + *shortest), kPercent);
+  for (; part < kLast; part = std::max(part + kPercent, kGrowth * part)) {
+    const SpiralRange range =
+        roundedOutwards(wish.height * (1.0 - part), wish.height * (1.0 + part));
+    if (!(range.low > 0.0)) {
+      break;
+    }
+    SpiralWish wider = wish;
+    wider.heightMin = range.low;
+    wider.heightMax = range.high;
+    try {
+      if (!planSpiral(lengths, wider).excess) {
+        return range;
+      }
+    } catch (const Error&) {
+      continue;  // the ramps of a narrow range use up the part
+    }
+  }
+  return std::nullopt;
+}
+
+Text rangeText(const SpiralRange& range) {
+  return text("%1 to %2 mm", {formatFixed(range.low, 2), formatFixed(range.high, 2)});
 }
 
 }  // namespace wcam::toolpath

@@ -5,6 +5,7 @@
 
 #include "wcam/base/file_io.hpp"
 
+#include "end_signals.hpp"
 #include "main_window.hpp"
 #include "widgets/text.hpp"
 #include "widgets/vtk_widget.hpp"
@@ -26,13 +27,28 @@ namespace {
 
 constexpr int kUsage = 1;
 
-/// Runs once the window is there and its view is drawn.
+/// A window that starts minimised is never painted.
+constexpr int kUnpaintedMs = 3000;
+
+/// Runs once the window is there and its view is drawn, from the event loop: a dialog that opened
+/// inside a paint event would paint the window a second time.
 void afterStartup(MainWindow& window, const std::function<void()>& then) {
-  if (window.view() == nullptr) {
-    QTimer::singleShot(0, &window, then);
-    return;
+  auto* once = new QTimer(&window);
+  once->setSingleShot(true);
+  VtkWidget* view = window.view();
+  QObject::connect(once, &QTimer::timeout, &window, [once, view, then] {
+    if (view != nullptr) {
+      QObject::disconnect(view, nullptr, once, nullptr);
+    }
+    once->deleteLater();
+    then();
+  });
+  if (view != nullptr) {
+    QObject::connect(
+        view, &VtkWidget::painted, once, [once] { once->start(0); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
   }
-  QObject::connect(window.view(), &VtkWidget::painted, &window, then, Qt::SingleShotConnection);
+  once->start(view != nullptr ? kUnpaintedMs : 0);
 }
 
 }  // namespace
@@ -56,6 +72,9 @@ bool loadTranslations(QApplication& application, const QString& language) {
   }
   const QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
   if (locale.language() == QLocale::English || locale.language() == QLocale::C) {
+    if (!language.isEmpty()) {
+      QLocale::setDefault(locale);
+    }
     return true;
   }
   auto* own = new QTranslator(&application);
@@ -64,6 +83,8 @@ bool loadTranslations(QApplication& application, const QString& language) {
     return false;
   }
   QCoreApplication::installTranslator(own);
+  // What is typed may have the decimal comma of the language.
+  QLocale::setDefault(locale);
   auto* base = new QTranslator(&application);
   if (base->load(locale, "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
     QCoreApplication::installTranslator(base);
@@ -71,7 +92,7 @@ bool loadTranslations(QApplication& application, const QString& language) {
   return true;
 }
 
-int runApplication(int argc, char** argv) {
+int runApplication(int argc, char** argv, const std::function<void(MainWindow&)>& started) {
   prepareApplication();
   QApplication application(argc, argv);
   // Numbers in files and fields have a dot in every language.
@@ -109,6 +130,7 @@ int runApplication(int argc, char** argv) {
   int code = 0;
   {
     MainWindow window(host, QGuiApplication::platformName() != "offscreen");
+    const EndSignals endSignals(window.session());
     window.show();
     const QStringList files = parser.positionalArguments();
     const bool leave = parser.isSet(exitOption);
@@ -123,6 +145,9 @@ int runApplication(int argc, char** argv) {
         QCoreApplication::exit(opened ? 0 : exitCodeOf(ErrorCode::InputInvalid));
       }
     });
+    if (started) {
+      started(window);
+    }
     code = QApplication::exec();
   }
   return code;

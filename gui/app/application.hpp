@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 class QApplication;
 class QString;
 
 namespace wcam::gui {
+
+class MainWindow;
 
 /// What must be set before a QApplication exists: graphics format, platform, name of the program.
 void prepareApplication();
@@ -13,6 +17,7 @@ void prepareApplication();
 /// whether there are any
 bool loadTranslations(QApplication& application, const QString& language);
 /// The program `wcam`.
-int runApplication(int argc, char** argv);
+/// @param started called with the window before its event loop runs
+int runApplication(int argc, char** argv, const std::function<void(MainWindow&)>& started = {});
 
 }  // namespace wcam::gui

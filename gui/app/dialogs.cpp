@@ -105,8 +105,9 @@ NewDialog::NewDialog(QWidget* parent) : QDialog(parent) {
   }
   cell_ = new QComboBox(this);
   cell_->setObjectName("newCell");
-  for (const std::string& cell : shippedCells()) {
-    cell_->addItem(qt(std::filesystem::path(cell).stem().string()), qt(cell));
+  for (const ShippedCell& cell : shippedCells()) {
+    cell_->addItem(qt(cell.name), qt(cell.path));
+    cell_->setItemData(cell_->count() - 1, qt(cell.description), Qt::ToolTipRole);
   }
   about_ = new QLabel(this);
   about_->setWordWrap(true);

@@ -3,6 +3,8 @@
 
 #include "main_window.hpp"
 
+#include "wcam/base/file_io.hpp"
+
 #include "node_form.hpp"
 #include "widgets/layer_slider.hpp"
 #include "widgets/legend.hpp"
@@ -22,14 +24,17 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QSettings>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTextEdit>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -241,6 +246,13 @@ void MainWindow::buildStatus() {
 }
 
 void MainWindow::connectAll() {
+  qApp->installEventFilter(this);
+  // A command means the project with what is being typed.
+  actions_->setBefore([this](const QString& id) {
+    if (id != "project.cancel" && !id.startsWith("view.") && !id.startsWith("play.")) {
+      form_->commit();
+    }
+  });
   connect(session_, &Session::documentChanged, this, &MainWindow::showDocument);
   connect(session_, &Session::fileChanged, this, &MainWindow::showTitle);
   connect(session_, &Session::resultsChanged, this, &MainWindow::showResults);
@@ -267,6 +279,7 @@ void MainWindow::connectAll() {
           [this](const QPoint& at) { layerMenu(layers_->mapToGlobal(at)); });
   connect(form_, &ParamForm::edited, this, &MainWindow::editNode);
   connect(diagnostics_, &DiagnosticsTable::activated, this, &MainWindow::jump);
+  connect(diagnostics_, &DiagnosticsTable::applied, this, &MainWindow::applyRemedy);
   connect(scene_, &SceneController::coloursChanged, this, [this] {
     legend_->setColours(scene_->colours());
     legend_->setVisible(state_.path() != nullptr && actions_->action("view.legend")->isChecked());
@@ -284,7 +297,11 @@ void MainWindow::connectAll() {
   // What is computed at once need not turn grey in between.
   staleDelay_.setSingleShot(true);
   staleDelay_.setInterval(kStaleDelayMs);
-  connect(&staleDelay_, &QTimer::timeout, this, [this] { scene_->setStale(session_->stale()); });
+  connect(&staleDelay_, &QTimer::timeout, this, [this] {
+    if (session_->stale()) {
+      scene_->setStale(true);
+    }
+  });
   connect(program_, &ProgramView::wanted, &programDelay_, qOverload<>(&QTimer::start));
   if (view_ != nullptr) {
     connect(view_, &VtkWidget::clicked, this,
@@ -310,7 +327,32 @@ void MainWindow::placeOverlay() {
   staleNote_->move((stage_->width() - staleNote_->width()) / 2, 12);
 }
 
+/// A field for text takes some keys with Ctrl for itself, as Emacs does (Ctrl+E: to the end of the
+/// line). Those of the menus win, but for what every field can do: undo, copy and the like.
+bool MainWindow::isMenuKey(QObject* object, const QKeyEvent& event) const {
+  const auto* widget = qobject_cast<QWidget*>(object);
+  const bool isText = qobject_cast<const QLineEdit*>(widget) != nullptr ||
+                      qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
+                      qobject_cast<const QTextEdit*>(widget) != nullptr;
+  if (!isText || widget->window() != this ||
+      (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0) {
+    return false;
+  }
+  for (const auto key : {QKeySequence::Undo, QKeySequence::Redo, QKeySequence::Cut,
+                         QKeySequence::Copy, QKeySequence::Paste, QKeySequence::SelectAll}) {
+    if (event.matches(key)) {
+      return false;
+    }
+  }
+  return actions_->actionOf(QKeySequence(event.keyCombination())) != nullptr;
+}
+
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride &&
+      isMenuKey(object, *static_cast<QKeyEvent*>(event))) {
+    event->ignore();
+    return true;
+  }
   if (object == stage_ && event->type() == QEvent::Resize) {
     placeOverlay();
   }
@@ -318,6 +360,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  form_->commit();
   if (!mayDiscard()) {
     event->ignore();
     return;
@@ -345,7 +388,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) {
     const QString file = url.toLocalFile();
     if (file.endsWith(".wcam", Qt::CaseInsensitive)) {
-      openFile(utf8(file));
+      event->acceptProposedAction();
+      QTimer::singleShot(0, this, [this, file] { openFile(pathFromText(utf8(file))); });
       return;
     }
     if (!file.isEmpty()) {
@@ -353,7 +397,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     }
   }
   event->acceptProposedAction();
-  importFiles(parts);
+  // The program that the files come from waits until the drop ends: dialogs come after it.
+  QTimer::singleShot(0, this, [this, parts] { importFiles(parts); });
 }
 
 bool MainWindow::event(QEvent* event) {

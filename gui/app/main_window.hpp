@@ -16,6 +16,7 @@
 
 class QDockWidget;
 class QFrame;
+class QKeyEvent;
 class QLabel;
 class QListWidget;
 class QMenu;
@@ -92,6 +93,7 @@ private:
   void buildStatus();
   void connectAll();
   void placeOverlay();
+  [[nodiscard]] bool isMenuKey(QObject* object, const QKeyEvent& event) const;
 
   // main_window_actions.cpp: the catalogue
   void buildFileActions();
@@ -169,6 +171,7 @@ private:
   void showState();
   void showProgram();
   void jump(const FindingRow& row);
+  void applyRemedy(const FindingRow& row);
   [[nodiscard]] std::map<NodeRef, Badge> badges() const;
   [[nodiscard]] std::vector<FindingRow> findingRows() const;
 

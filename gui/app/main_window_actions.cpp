@@ -122,7 +122,8 @@ void MainWindow::buildProjectActions() {
                 {}, "output", [this] { addNode("outputs"); });
   actions_->separate(menu);
   actions_->add("project.choose_cell", menu, tr("Choose &cell…"),
-                tr("Take the robot cell from a file"), {}, "cell", [this] { chooseCell(); });
+                tr("Choose the robot cell, one that comes with the program or a file"), {}, "cell",
+                [this] { chooseCell(); });
   actions_->add("project.drop", menu, tr("&Drop part on plate"),
                 tr("Move the selected part so that it stands in the middle of the plate"), "Ctrl+L",
                 {}, [this] { dropPart(); });

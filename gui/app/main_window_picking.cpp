@@ -201,11 +201,20 @@ void MainWindow::pickMenu(const viewport::Pick& pick, const QPoint& global) {
                    });
     addPointEdits(menu, move);
     menu.addAction(tr("Seams towards this point"), this, [this, move, operation] {
-      // The direction of aligned seams, seen from the middle of what is built.
-      const auto box = view_->scene().bounds();
+      // The direction of aligned seams, seen from the middle of the path, in the part frame.
+      const std::vector<float>& at = state_.path()->data()->positions;
       const viewport::Point p = state_.path()->position(move);
-      const double angle =
-          radToDeg(std::atan2(p[1] - 0.5 * (box[2] + box[3]), p[0] - 0.5 * (box[0] + box[1])));
+      double offset[2] = {0.0, 0.0};
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        float low = at[axis];
+        float high = low;
+        for (std::size_t i = axis; i < at.size(); i += 3) {
+          low = std::min(low, at[i]);
+          high = std::max(high, at[i]);
+        }
+        offset[axis] = p[axis] - 0.5 * (static_cast<double>(low) + high);
+      }
+      const double angle = radToDeg(std::atan2(offset[1], offset[0]));
       const auto set = [&](const char* key, Value value) {
         return project::Command{
             "operation.set_param",

@@ -6,6 +6,7 @@
 #include "wcam/base/text.hpp"
 #include "wcam/project/html_report.hpp"
 
+#include "cell_dialog.hpp"
 #include "dialogs.hpp"
 #include "edit_dialog.hpp"
 #include "main_window.hpp"
@@ -189,7 +190,9 @@ void MainWindow::openDialog() {
 }
 
 bool MainWindow::offerRecovery(const std::filesystem::path& file) {
-  if (!project::recoverable(std::filesystem::absolute(file))) {
+  // What another program is working on is not lost.
+  if (!project::recoverable(std::filesystem::absolute(file)) ||
+      !session_->holderOf(file).isEmpty()) {
     return false;
   }
   QMessageBox box(QMessageBox::Question, tr("Recover the project"),
@@ -350,19 +353,20 @@ void MainWindow::locateFile(const std::string& list, const std::string& id) {
 }
 
 void MainWindow::chooseCell() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Choose a cell"),
-                                                    qt(pathText(session_->base().parent_path())),
-                                                    tr("Cells (*.json)"));
-  if (file.isEmpty()) {
+  const std::filesystem::path folder = session_->base().parent_path();
+  CellDialog dialog(session_->document().project().cell.path, folder, this);
+  if (dialog.exec() != QDialog::Accepted || dialog.path().empty()) {
     return;
   }
-  std::filesystem::path path = pathFromText(utf8(file));
-  const std::filesystem::path relative = path.lexically_relative(session_->base().parent_path());
-  if (!relative.empty() && *relative.begin() != "..") {
-    path = relative;
+  std::string chosen = dialog.path();
+  const std::filesystem::path path = pathFromText(chosen);
+  if (path.is_absolute()) {
+    const std::filesystem::path relative = path.lexically_relative(folder);
+    if (!relative.empty() && *relative.begin() != "..") {
+      chosen = relative.generic_string();
+    }
   }
-  run({"cell.set", Value::object({{"file", Value::object({{"path", path.generic_string()},
-                                                          {"sha256", ""}})}})});
+  run({"cell.set", Value::object({{"file", Value::object({{"path", chosen}, {"sha256", ""}})}})});
 }
 
 void MainWindow::dropPart() {

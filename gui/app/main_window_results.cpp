@@ -46,6 +46,8 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
       badge = waiting;
     } else if (shown->error) {
       badge = {Status::Error, errorText(*shown->error)};
+    } else if (shown->path == nullptr) {
+      badge = waiting;
     } else {
       std::size_t counts[3] = {0, 0, 0};
       for (const Diagnostic& d : shown->path->result().findings) {
@@ -58,7 +60,7 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
   }
   // Edits that find nothing, or only a part, say so; those with no finding need no badge.
   for (const GeneratedOperation& operation : results.operations) {
-    if (stale || !operation.path) {
+    if (stale || !operation.path || operation.outdated) {
       continue;
     }
     for (const Diagnostic& finding : operation.path->result().findings) {
@@ -73,8 +75,9 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
     }
   }
   if (!project.cell.empty()) {
-    badges[{"cell", {}}] =
-        results.cell ? Badge{Status::Ok, qt(results.cell->description)} : Badge{};
+    badges[{"cell", {}}] = results.cellError ? Badge{Status::Error, errorText(*results.cellError)}
+                           : results.cell    ? Badge{Status::Ok, qt(results.cell->description)}
+                                             : Badge{};
   }
   // Problems of the project name the place: "operations[0].params.step: ...".
   if (results.error) {
@@ -107,7 +110,8 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
 std::vector<FindingRow> MainWindow::findingRows() const {
   std::vector<FindingRow> rows;
   const Generated& results = session_->generated();
-  const auto addError = [&rows](const Error& error, const NodeRef& node, const QString& place) {
+  const auto addError = [&rows](const Error& error, const NodeRef& node, const QString& place,
+                                const std::vector<project::Command>& remedy = {}) {
     FindingRow row;
     row.status = Status::Error;
     row.code = qt(toString(error.code()));
@@ -115,6 +119,7 @@ std::vector<FindingRow> MainWindow::findingRows() const {
     row.remedy = engineText(error.hintText());
     row.node = node;
     row.place = place;
+    row.apply = remedy;
     // The same cause of several operations is told once.
     for (const FindingRow& other : rows) {
       if (other.message == row.message) {
@@ -126,23 +131,34 @@ std::vector<FindingRow> MainWindow::findingRows() const {
   if (results.error) {
     addError(*results.error, {}, tr("project"));
   }
+  if (results.cellError) {
+    addError(*results.cellError, {"cell", {}}, tr("cell"));
+  }
   for (const GeneratedPart& part : results.parts) {
     if (part.error) {
       addError(*part.error, {"parts", part.id}, qt(part.id));
     }
   }
   for (const GeneratedOperation& operation : results.operations) {
-    if (operation.error) {
-      addError(*operation.error, {"operations", operation.id}, qt(operation.id));
+    // What is wrong with the cell is told once.
+    const bool ofCell = operation.error && results.cellError &&
+                        operation.error->messageText() == results.cellError->messageText();
+    if (operation.error && !ofCell) {
+      addError(*operation.error, {"operations", operation.id}, qt(operation.id), operation.remedy);
     }
   }
   for (const Diagnostic& finding : results.findings) {
     rows.push_back(rowOf(finding));
   }
   for (const GeneratedOperation& operation : results.operations) {
-    if (operation.path) {
-      for (const Diagnostic& finding : operation.path->result().findings) {
-        rows.push_back(rowOf(finding));
+    // Those of an old path are about layers that may be gone.
+    if (operation.path && !operation.outdated) {
+      const project::OperationResult& result = operation.path->result();
+      for (std::size_t i = 0; i < result.findings.size(); ++i) {
+        rows.push_back(rowOf(result.findings[i]));
+        if (i < result.remedies.size()) {
+          rows.back().apply = result.remedies[i];
+        }
       }
     }
   }
@@ -168,13 +184,16 @@ void MainWindow::showState() {
   if (!running) {
     progress_->setValue(0);
   }
+  const GeneratedOperation* shownResult = session_->generated().operation(shownOperation());
+  const bool outdated = shownResult != nullptr && shownResult->outdated;
   if (!stale) {
-    scene_->setStale(false);
+    scene_->setStale(outdated);
   } else if (!staleDelay_.isActive()) {
     staleDelay_.start();
   }
-  staleNote_->setText(tr("Out of date — F5 computes it"));
-  staleNote_->setVisible(stale && !running && state_.path() != nullptr);
+  staleNote_->setText(stale ? tr("Out of date — F5 computes it")
+                            : tr("The last path that could be computed — see Findings"));
+  staleNote_->setVisible((stale || outdated) && !running && state_.path() != nullptr);
   placeOverlay();
   tree_->setBadges(badges());
   const auto path = state_.path();
@@ -202,7 +221,9 @@ void MainWindow::showProgram() {
   }
   const auto path = state_.path();
   const project::Output* output = session_->document().project().output(utf8(program_->output()));
-  if (!path || output == nullptr || path->result().program == nullptr) {
+  const GeneratedOperation* shown = session_->generated().operation(shownOperation());
+  const bool outdated = shown != nullptr && shown->outdated;
+  if (!path || output == nullptr || path->result().program == nullptr || outdated) {
     program_->setMessage(output == nullptr ? tr("The project has no output.")
                                            : tr("There is no program yet."));
     return;
@@ -222,6 +243,12 @@ void MainWindow::showProgram() {
        }});
 }
 
+void MainWindow::applyRemedy(const FindingRow& row) {
+  if (runAll(tr("Remedy: %1").arg(row.remedy), row.apply)) {
+    hideNotice();
+  }
+}
+
 void MainWindow::jump(const FindingRow& row) {
   if (!row.node.empty()) {
     tree_->select(row.node);
@@ -229,10 +256,7 @@ void MainWindow::jump(const FindingRow& row) {
   if (row.jump.layer >= 0 && state_.path()) {
     if (const auto move = state_.path()->find(row.jump.layer, row.jump.bead, row.jump.point)) {
       state_.jumpTo(*move);
-      if (view_ != nullptr) {
-        view_->view().lookAt(state_.path()->position(*move));
-        view_->redraw();
-      }
+      scene_->lookAt(state_.path()->position(*move));
     }
   }
   // A file that is missing can be found again.

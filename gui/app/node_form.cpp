@@ -3,6 +3,8 @@
 
 #include "node_form.hpp"
 
+#include "wcam/base/file_io.hpp"
+#include "wcam/base/json.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/plugin/locations.hpp"
 #include "wcam/toolpath/edits.hpp"
@@ -13,6 +15,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <tuple>
 
 namespace wcam::gui {
 
@@ -300,8 +303,8 @@ std::vector<std::string> sectionsOf(const std::string& list) {
 NodeForm cellForm(const project::Document& document) {
   const std::string path = document.project().cell.path;
   std::vector<ParamChoice> choices = {{kNoChoice, utf8(NodeText::tr("none"))}};
-  for (const std::string& cell : shippedCells()) {
-    choices.push_back({cell, std::filesystem::path(cell).stem().string()});
+  for (const ShippedCell& cell : shippedCells()) {
+    choices.push_back({cell.path, cell.name});
   }
   if (!path.empty() && std::none_of(choices.begin(), choices.end(),
                                     [&](const ParamChoice& c) { return c.key == path; })) {
@@ -390,17 +393,34 @@ std::string nounOf(const std::string& list) {
   return list == "processes" ? "process" : list.substr(0, list.size() - 1);
 }
 
-std::vector<std::string> shippedCells() {
-  std::vector<std::string> cells;
+std::vector<ShippedCell> shippedCells() {
+  std::vector<ShippedCell> cells;
   std::error_code ignored;
   for (const auto& entry :
        std::filesystem::directory_iterator(plugin::dataFolder() / "cells", ignored)) {
-    if (entry.path().extension() == ".json") {
-      cells.push_back(std::string(project::kShippedPrefix) + "cells/" +
-                      entry.path().filename().string());
+    if (entry.path().extension() != ".json") {
+      continue;
     }
+    ShippedCell cell;
+    const std::string file = pathText(entry.path().filename());
+    cell.path = std::string(project::kShippedPrefix) + "cells/" + file;
+    cell.name = pathText(entry.path().stem());
+    try {
+      const Value tree = parseJson(readFile(entry.path()), file);
+      const auto textOf = [&tree](const char* key, const std::string& otherwise) {
+        const Value* value = tree.isObject() ? tree.find(key) : nullptr;
+        return value != nullptr && value->isString() ? value->asString() : otherwise;
+      };
+      cell.name = textOf("name", cell.name);
+      cell.description = textOf("description", {});
+    } catch (const Error& error) {
+      cell.description = error.what();
+    }
+    cells.push_back(std::move(cell));
   }
-  std::sort(cells.begin(), cells.end());
+  std::sort(cells.begin(), cells.end(), [](const ShippedCell& a, const ShippedCell& b) {
+    return std::tie(a.name, a.path) < std::tie(b.name, b.path);
+  });
   return cells;
 }
 

@@ -32,7 +32,14 @@ project::Command commandOf(const project::Document& document,
 /// "part" for "parts", ...
 std::string nounOf(const std::string& list);
 
-/// Cells that come with the program, as paths for a project.
-std::vector<std::string> shippedCells();
+/// A cell that comes with the program.
+struct ShippedCell {
+  std::string path;  ///< for a project: "wcam:cells/..."
+  std::string name;
+  std::string description;
+};
+
+/// All of them, by name. One whose file cannot be read has the name of its file.
+std::vector<ShippedCell> shippedCells();
 
 }  // namespace wcam::gui

@@ -39,14 +39,21 @@ void SceneController::setResults(const Generated& results, const std::string& op
       shownParts_ = parts;
       scene.setParts(std::move(parts));
     }
-    if (shown != nullptr && shown->substrate != shownSubstrate_) {
-      shownSubstrate_ = shown->substrate;
+    // Without an operation there is a plate all the same.
+    std::shared_ptr<const viewport::PreparedMesh> plate = shown != nullptr ? shown->substrate
+                                                          : !results.plates.empty()
+                                                              ? results.plates.front().mesh
+                                                              : nullptr;
+    if (plate != shownSubstrate_) {
+      shownSubstrate_ = std::move(plate);
       scene.setSubstrate(shownSubstrate_);
     }
     if (results.cell != cell_) {
       cell_ = results.cell;
       scene.setBodies(cell_ ? bodiesOf(*cell_) : std::vector<viewport::Body>());
       scene.setBodiesVisible(cellVisible_);
+      // A robot that comes into the view must not come around the camera.
+      fitted_ = fitted_ && !cellVisible_;
     }
   }
   const std::shared_ptr<const PathModel> path = shown != nullptr ? shown->path : nullptr;
@@ -55,14 +62,35 @@ void SceneController::setResults(const Generated& results, const std::string& op
   } else {
     showPose();
   }
-  if (view_ != nullptr && !fitted_ && !shownParts_.empty()) {
+  keepInView();
+  redraw();
+}
+
+void SceneController::keepInView() {
+  if (view_ == nullptr) {
+    return;
+  }
+  const std::array<double, 6> box = view_->scene().bounds();
+  if (box[0] > box[1]) {
+    fitted_ = false;  // nothing is there
+    return;
+  }
+  // The first part takes the view from the plate alone; what moved out of it is followed.
+  const bool hasParts = !shownParts_.empty();
+  if (!fitted_ || hasParts != fittedParts_ || (box != shownBox_ && !view_->view().sees(box))) {
     view_->view().fit();
     fitted_ = true;
+    fittedParts_ = hasParts;
   }
-  if (shownParts_.empty()) {
-    fitted_ = false;
+  shownBox_ = box;
+}
+
+void SceneController::lookAt(const viewport::Point& p) {
+  if (view_ != nullptr) {
+    const geometry::Vec3 world = T_world_part_ * geometry::Vec3(p[0], p[1], p[2]);
+    view_->view().lookAt({world.x(), world.y(), world.z()});
+    redraw();
   }
-  redraw();
 }
 
 void SceneController::show(unsigned changes) {
@@ -103,7 +131,8 @@ void SceneController::showPose() {
   viewport::Scene& scene = view_->scene();
   const motion::Waypoint* waypoint =
       state_.path() ? state_.path()->waypoint(state_.move()) : nullptr;
-  geometry::Pose T_world_part = geometry::Pose::Identity();
+  geometry::Pose& T_world_part = T_world_part_;
+  T_world_part = geometry::Pose::Identity();
   if (cell_ && cellVisible_) {
     const cell::JointVector q =
         waypoint != nullptr && waypoint->joints.size() == cell_->jointCount()

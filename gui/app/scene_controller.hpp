@@ -9,6 +9,7 @@
 
 #include <QObject>
 
+#include <array>
 #include <memory>
 
 namespace wcam::gui {
@@ -32,6 +33,8 @@ public:
   void setDark(bool dark);
   /// Cuts everything at a fraction of the bounds along an axis.
   void setSection(bool on, int axis, double fraction);
+  /// Turns the camera to a point of the part, past the robot. @param p in the part frame
+  void lookAt(const viewport::Point& p);
 
   [[nodiscard]] const Coloured& colours() const { return colours_; }
 
@@ -44,6 +47,8 @@ private:
   void show(unsigned changes);
   void showPose();
   void redraw();
+  /// Fits the view when something comes that was not there, or what is built has moved out of it.
+  void keepInView();
 
   ViewState& state_;
   VtkWidget* view_;
@@ -52,7 +57,10 @@ private:
   std::shared_ptr<const viewport::PreparedMesh> shownSubstrate_;
   std::shared_ptr<const cell::Cell> cell_;
   Coloured colours_;
+  geometry::Pose T_world_part_ = geometry::Pose::Identity();  ///< as the part is drawn
+  std::array<double, 6> shownBox_{};
   bool fitted_ = false;
+  bool fittedParts_ = false;  ///< the view was fitted to parts, not to a plate alone
   bool cellVisible_ = false;
   bool torchVisible_ = true;
 };

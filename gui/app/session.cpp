@@ -19,6 +19,8 @@ namespace {
 // Typing and dragging make one regeneration.
 constexpr int kDelayMs = 180;
 constexpr int kAutosaveMs = 20000;
+// Changes that rest so long are kept at once: a crash may take no more than what was just typed.
+constexpr int kAutosaveSoonMs = 1500;
 
 /// Calls functions on the thread of an object, as long as it lives.
 JobRunner::Post postTo(QObject* object) {
@@ -59,16 +61,34 @@ std::string broughtBeside(const std::filesystem::path& source,
   return pathText(source.filename());
 }
 
+std::filesystem::path lockPath(const std::filesystem::path& file) {
+  return file.parent_path() / ("." + file.filename().string() + ".lock");
+}
+
+std::set<std::string> pathsOf(const project::Document& document) {
+  std::set<std::string> paths;
+  for (const project::UsedFile& used : project::usedFiles(document)) {
+    paths.insert(used.ref.path);
+  }
+  return paths;
+}
+
 /// The commands that make a document's files reachable from another project file.
+/// @param kept paths that stay as they are
 std::vector<project::Command> relocate(const project::Document& document,
                                        const std::filesystem::path& from,
-                                       const std::filesystem::path& to) {
+                                       const std::filesystem::path& to,
+                                       const std::set<std::string>& kept = {}) {
   std::vector<project::Command> commands;
   const std::filesystem::path folder = std::filesystem::absolute(to).parent_path();
   const auto place = [&](const std::string& owner, const std::string& id,
                          const project::FileRef& ref) {
-    if (ref.empty() || ref.path.rfind(project::kShippedPrefix, 0) == 0) {
+    if (ref.empty() || ref.path.rfind(project::kShippedPrefix, 0) == 0 ||
+        kept.count(ref.path) != 0) {
       return;
+    }
+    if (from == to && !pathFromText(ref.path).is_absolute()) {
+      return;  // in reach already
     }
     const std::filesystem::path file =
         std::filesystem::absolute(project::resolvePath(from, ref)).lexically_normal();
@@ -116,6 +136,9 @@ Session::Session(std::shared_ptr<const plugin::PluginHost> plugins, QObject* par
   autosave_.setInterval(kAutosaveMs);
   connect(&autosave_, &QTimer::timeout, this, &Session::autosaveNow);
   autosave_.start();
+  soon_.setSingleShot(true);
+  soon_.setInterval(kAutosaveSoonMs);
+  connect(&soon_, &QTimer::timeout, this, &Session::autosaveNow);
 }
 
 Session::~Session() {
@@ -149,6 +172,8 @@ std::vector<Diagnostic> Session::open(const std::filesystem::path& file, bool re
   generated_ = {};
   first_.clear();
   autosaved_ = history_->stateId();
+  autosaveThere_ = recovered_;
+  savedPaths_ = pathsOf(onDisk);
   lock();
   emit fileChanged();
   changed();
@@ -168,28 +193,40 @@ void Session::create(const project::Document& document) {
   generated_ = {};
   first_.clear();
   autosaved_ = history_->stateId();
+  autosaveThere_ = false;
+  savedPaths_.clear();
   emit fileChanged();
   changed();
 }
 
-void Session::lock() {
-  lock_.reset();
-  lockedBy_.clear();
-  const std::filesystem::path name =
-      file_.parent_path() / ("." + file_.filename().string() + ".lock");
-  auto lock = std::make_unique<QLockFile>(qt(pathText(name)));
-  // The lock of a program that is gone is taken over at once; age alone says nothing.
-  lock->setStaleLockTime(0);
-  if (lock->tryLock(0)) {
-    lock_ = std::move(lock);
-    return;
+QString Session::holderOf(const std::filesystem::path& file) const {
+  const std::filesystem::path path = std::filesystem::absolute(file);
+  if (path == file_ && lock_) {
+    return {};
   }
+  QLockFile lock(qt(pathText(lockPath(path))));
+  // The lock of a program that is gone is taken over at once; age alone says nothing.
+  lock.setStaleLockTime(0);
   qint64 pid = 0;
   QString host;
   QString program;
   // A folder that cannot be written to has no lock, and needs none.
-  if (lock->error() == QLockFile::LockFailedError && lock->getLockInfo(&pid, &host, &program)) {
-    lockedBy_ = tr("process %1 on %2").arg(pid).arg(host);
+  if (lock.tryLock(0) || lock.error() != QLockFile::LockFailedError ||
+      !lock.getLockInfo(&pid, &host, &program)) {
+    return {};
+  }
+  return tr("process %1 on %2").arg(pid).arg(host);
+}
+
+void Session::lock() {
+  lock_.reset();
+  lockedBy_ = holderOf(file_);
+  if (lockedBy_.isEmpty()) {
+    auto lock = std::make_unique<QLockFile>(qt(pathText(lockPath(file_))));
+    lock->setStaleLockTime(0);
+    if (lock->tryLock(0)) {
+      lock_ = std::move(lock);
+    }
   }
 }
 
@@ -199,25 +236,32 @@ void Session::save() {
                 "another program has the project open (" + utf8(lockedBy_) + ")", pathText(file_),
                 "close it there, or save under another name");
   }
+  bringFiles(file_, savedPaths_);
   project::saveProject(document(), file_);
   markSaved();
   emit fileChanged();
+}
+
+void Session::bringFiles(const std::filesystem::path& to, const std::set<std::string>& kept) {
+  const std::vector<project::Command> commands = relocate(document(), base(), to, kept);
+  if (!commands.empty()) {
+    if (const auto error = applyAll(utf8(tr("Bring files to the project")), commands)) {
+      throw Error(*error);
+    }
+  }
 }
 
 void Session::markSaved() {
   history_->markClean();
   recovered_ = false;
   autosaved_ = history_->stateId();
+  autosaveThere_ = false;
+  savedPaths_ = pathsOf(document());
 }
 
 void Session::saveAs(const std::filesystem::path& file) {
   const std::filesystem::path path = std::filesystem::absolute(file);
-  const std::vector<project::Command> commands = relocate(document(), base(), path);
-  if (!commands.empty()) {
-    if (const auto error = applyAll(utf8(tr("Bring files to the project")), commands)) {
-      throw Error(*error);
-    }
-  }
+  bringFiles(path, {});
   project::saveProject(document(), path);
   if (file_.empty()) {
     forgetUntitled();
@@ -286,6 +330,7 @@ void Session::changed() {
   emit documentChanged();
   emit stateChanged();
   delay_.start();
+  soon_.start();
 }
 
 bool Session::stale() const {
@@ -393,14 +438,22 @@ void Session::recover(const project::Document& document) {
 }
 
 void Session::autosaveNow() {
-  if (!modified() || !lockedBy_.isEmpty() || autosaved_ == history_->stateId()) {
+  soon_.stop();
+  if (!lockedBy_.isEmpty() || autosaved_ == history_->stateId()) {
     return;
   }
   try {
-    if (file_.empty()) {
-      createFolder(untitledFile().parent_path());
+    if (modified()) {
+      if (file_.empty()) {
+        createFolder(untitledFile().parent_path());
+      }
+      project::autosave(document(), autosaveOf());
+      autosaveThere_ = true;
+    } else if (autosaveThere_) {
+      // All was undone: nothing is left to recover.
+      project::dropAutosave(autosaveOf());
+      autosaveThere_ = false;
     }
-    project::autosave(document(), file_.empty() ? untitledFile() : file_);
     autosaved_ = history_->stateId();
   } catch (const Error& error) {
     emit failed(errorText(error));

@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace wcam::gui {
 
@@ -50,10 +52,14 @@ public:
   /// @throws Error
   std::vector<Diagnostic> open(const std::filesystem::path& file, bool recovered = false);
   void create(const project::Document& document);
-  /// @throws Error
+  /// Files outside of the project's folder that were added since the last time are copied beside
+  /// it. @throws Error
   void save();
   /// Files of the project that would be out of reach are copied beside it. @throws Error
   void saveAs(const std::filesystem::path& file);
+
+  /// Who holds the lock of a file; empty: nobody, or this session.
+  [[nodiscard]] QString holderOf(const std::filesystem::path& file) const;
 
   /// Who holds the lock of the file when it is not this program; empty: nobody.
   [[nodiscard]] QString lockedBy() const { return lockedBy_; }
@@ -114,6 +120,12 @@ private:
   void changed();
   void lock();
   void markSaved();
+  /// Copies files that lie elsewhere beside a project file, as one step.
+  void bringFiles(const std::filesystem::path& to, const std::set<std::string>& kept);
+
+  [[nodiscard]] std::filesystem::path autosaveOf() const {
+    return file_.empty() ? untitledFile() : file_;
+  }
 
   std::shared_ptr<const plugin::PluginHost> plugins_;
   std::shared_ptr<project::StageCache> cache_;
@@ -122,10 +134,13 @@ private:
   std::unique_ptr<QLockFile> lock_;
   QString lockedBy_;
   QTimer autosave_;
+  QTimer soon_;  ///< an autosave when the changes rest
   QTimer delay_;
   std::uint64_t autosaved_ = 0;
-  bool recovered_ = false;   ///< the document came from an autosave and is not on disk
-  std::uint64_t epoch_ = 0;  ///< raised with every project that is opened
+  bool autosaveThere_ = false;        ///< this session wrote one that is still there
+  std::set<std::string> savedPaths_;  ///< files that the project on disk names
+  bool recovered_ = false;            ///< the document came from an autosave and is not on disk
+  std::uint64_t epoch_ = 0;           ///< raised with every project that is opened
   Generated generated_;
   std::string first_;
   std::unique_ptr<JobRunner> generation_;

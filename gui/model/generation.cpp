@@ -15,13 +15,19 @@ namespace wcam::gui {
 namespace {
 
 /// Runs a step; keeps its error unless it is a cancel.
+/// @param remedy gets the commands that put the error right
 template <class Step>
-std::optional<Error> errorOf(const Step& step) {
+std::optional<Error> errorOf(const Step& step, std::vector<project::Command>* remedy = nullptr) {
   try {
     step();
     return std::nullopt;
   } catch (const CancelledError&) {
     throw;
+  } catch (const project::OperationError& error) {
+    if (remedy != nullptr) {
+      *remedy = error.remedy();
+    }
+    return error;
   } catch (const Error& error) {
     return error;
   } catch (const std::bad_alloc&) {
@@ -47,6 +53,12 @@ const GeneratedPart* Generated::part(const std::string& id) const {
   return found != parts.end() ? &*found : nullptr;
 }
 
+const GeneratedPlate* Generated::plate(const std::string& id) const {
+  const auto found = std::find_if(plates.begin(), plates.end(),
+                                  [&](const GeneratedPlate& p) { return p.id == id; });
+  return found != plates.end() ? &*found : nullptr;
+}
+
 const GeneratedOperation* Generated::operation(const std::string& id) const {
   const auto found = std::find_if(operations.begin(), operations.end(),
                                   [&](const GeneratedOperation& o) { return o.id == id; });
@@ -65,6 +77,25 @@ Generated generate(const project::Pipeline& pipeline,
     const std::vector<Diagnostic> found = pipeline.validate();
     result.findings.insert(result.findings.end(), found.begin(), found.end());
   });
+  // Cell and plates first: they are seen whatever becomes of the rest.
+  if (!project.cell.empty()) {
+    result.cellError = errorOf([&] { result.cell = pipeline.loadCell(context); });
+  }
+  for (const project::Substrate& substrate : project.substrates) {
+    GeneratedPlate plate;
+    plate.id = substrate.id;
+    // What is wrong with it is told by the operations that stand on it.
+    static_cast<void>(errorOf([&] {
+      plate.substrate =
+          pipeline.loadSubstrate(substrate.id, context.portion(0.0, 0.1, substrate.id));
+      const GeneratedPlate* old = before.plate(plate.id);
+      plate.mesh = old != nullptr && old->substrate == plate.substrate
+                       ? old->mesh
+                       : viewport::prepare(meshOf(*plate.substrate));
+    }));
+    result.plates.push_back(std::move(plate));
+  }
+  step(result);
   for (const project::Part& part : project.parts) {
     GeneratedPart shown;
     shown.id = part.id;
@@ -75,6 +106,10 @@ Generated generate(const project::Pipeline& pipeline,
                        ? old->mesh
                        : viewport::prepare(meshOf(*shown.part->surface));
     });
+    if (const GeneratedPart* old = before.part(part.id); shown.error && old != nullptr) {
+      shown.part = old->part;
+      shown.mesh = old->mesh;
+    }
     result.parts.push_back(std::move(shown));
     step(result);
   }
@@ -92,6 +127,8 @@ Generated generate(const project::Pipeline& pipeline,
     const double begin = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(wanted.size());
     const double end = 0.2 + 0.8 * static_cast<double>(i + 1) / static_cast<double>(wanted.size());
     const GeneratedOperation* old = before.operation(shown.id);
+    const GeneratedPlate* plate = result.plate(wanted[i]->substrate);
+    shown.substrate = plate != nullptr ? plate->mesh : nullptr;
     const auto take = [&](project::OperationResult&& computed) {
       // The same beads keep their old motion until the new one is there.
       const bool same = old != nullptr && old->path &&
@@ -99,29 +136,40 @@ Generated generate(const project::Pipeline& pipeline,
                                                     : sameResult(old->path->result(), computed));
       if (same) {
         shown.path = old->path;
-        shown.substrate = old->substrate;
         return;
       }
-      shown.substrate = viewport::prepare(meshOf(*computed.substrate));
       shown.path = std::make_shared<const PathModel>(
           std::make_shared<const project::OperationResult>(std::move(computed)));
     };
+    const auto keepOld = [&] {
+      if (shown.error && old != nullptr && old->path) {
+        shown.path = old->path;
+        shown.outdated = true;
+      }
+    };
     // The beads first: they are there long before their motion, and when there is none at all.
-    shown.error = errorOf([&] {
-      take(pipeline.computePath(shown.id, context.portion(begin, 0.5 * (begin + end), shown.id)));
-      context.check();
-    });
+    shown.error = errorOf(
+        [&] {
+          take(pipeline.computePath(shown.id,
+                                    context.portion(begin, 0.5 * (begin + end), shown.id)));
+          context.check();
+        },
+        &shown.remedy);
+    keepOld();
     result.operations.push_back(shown);
     if (!shown.error) {
       step(result);
       // Without a motion there are the new beads all the same.
-      shown.error = errorOf([&] {
-        project::OperationResult computed =
-            pipeline.compute(shown.id, context.portion(0.5 * (begin + end), end, shown.id));
-        context.check();
-        result.cell = computed.cell;
-        take(std::move(computed));
-      });
+      shown.error = errorOf(
+          [&] {
+            project::OperationResult computed =
+                pipeline.compute(shown.id, context.portion(0.5 * (begin + end), end, shown.id));
+            context.check();
+            take(std::move(computed));
+          },
+          &shown.remedy);
+      // New beads stand alone; a motion of the same beads is an old one now.
+      shown.outdated = shown.error && shown.path->result().motion != nullptr;
     }
     result.operations.back() = std::move(shown);
     step(result);

@@ -124,6 +124,7 @@ void Scene::setSubstrate(std::shared_ptr<const PreparedMesh> mesh) {
   impl_->remove(impl_->substrateEdges);
   impl_->substrate = nullptr;
   impl_->substrateEdges = nullptr;
+  impl_->substrateMesh = mesh;
   if (!mesh) {
     return;
   }
@@ -319,6 +320,27 @@ void Scene::setMeasure(std::optional<std::pair<Point, Point>> ends, const std::s
   impl_->measureText->GetTextProperty()->SetColor(0.85, 0.1, 0.5);
   impl_->measureText->GetTextProperty()->BoldOn();
   impl_->renderer->AddActor(impl_->measureText);
+}
+
+std::vector<std::array<double, 6>> Scene::obstacles(const Point& point) const {
+  std::vector<std::array<double, 6>> boxes;
+  for (std::size_t i = 0; i < impl_->bodies.size() && impl_->bodiesVisible; ++i) {
+    for (vtkActor* actor : impl_->bodies[i]) {
+      const double* own = actor->GetBounds();
+      if (impl_->surroundings[i] || own == nullptr || own[0] > own[1]) {
+        continue;
+      }
+      const std::array<double, 6> box = {own[0], own[1], own[2], own[3], own[4], own[5]};
+      bool holds = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        holds = holds && point[k] >= box[2 * k] && point[k] <= box[2 * k + 1];
+      }
+      if (!holds) {
+        boxes.push_back(box);
+      }
+    }
+  }
+  return boxes;
 }
 
 std::array<double, 6> Scene::bounds() const {

@@ -78,8 +78,13 @@ public:
   /// Bounds of what is built (xmin, xmax, ...); of everything with the cell when it is shown.
   [[nodiscard]] std::array<double, 6> bounds() const;
 
+  /// Boxes of the bodies that are shown, but for the surroundings and those that hold the point
+  /// itself, as the torch holds the tip of its wire.
+  [[nodiscard]] std::vector<std::array<double, 6>> obstacles(const Point& point) const;
+
   /// What a ray from the eye through a pixel hits. Points and edges are found within `reach`
   /// pixels.
+  /// What is hidden by a solid part, the substrate or other beads, or cut away, is left out.
   /// @param view the row-major matrix that maps world to clip coordinates, pixels from the lower
   /// left
   struct Ray {
@@ -122,6 +127,7 @@ public:
 
 private:
   struct Impl;
+  class Sight;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -60,6 +60,7 @@ struct Scene::Impl {
   PartStyle partStyle = PartStyle::Solid;
   vtkSmartPointer<vtkActor> substrate;
   vtkSmartPointer<vtkActor> substrateEdges;
+  std::shared_ptr<const PreparedMesh> substrateMesh;
   bool substrateVisible = true;
   vtkSmartPointer<vtkActor> markedFaces;
   vtkSmartPointer<vtkActor> markedEdges;

@@ -65,6 +65,25 @@ Point pointOf(const double* p) {
   return {p[0], p[1], p[2]};
 }
 
+/// Whether the segment from a point along `arm` meets a box.
+bool crosses(const std::array<double, 6>& box, const Point& from, const Point& arm) {
+  double low = 0.0;
+  double high = 1.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (arm[i] == 0.0) {
+      if (from[i] < box[2 * i] || from[i] > box[2 * i + 1]) {
+        return false;
+      }
+      continue;
+    }
+    const double a = (box[2 * i] - from[i]) / arm[i];
+    const double b = (box[2 * i + 1] - from[i]) / arm[i];
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+  return low <= high;
+}
+
 void makeCurrentOf(vtkObject*, unsigned long, void* client, void*) {
   const auto* function = static_cast<std::function<void()>*>(client);
   if (*function) {
@@ -380,7 +399,71 @@ bool View::parallel() const {
 void View::lookAt(const Point& target) {
   Impl& d = *impl_;
   const Point arm = minus(pointOf(d.camera()->GetPosition()), pointOf(d.camera()->GetFocalPoint()));
-  d.setCamera(target, plus(target, arm), pointOf(d.camera()->GetViewUp()));
+  const Point up = pointOf(d.camera()->GetViewUp());
+  const auto boxes = d.scene.obstacles(target);
+  const Point right = unit(cross(Point{0, 0, 1}, arm));
+  // Azimuths to both sides, from a little higher, then from far above.
+  constexpr double kTurnStep = 20.0;
+  constexpr double kLifts[] = {0.0, 25.0, 50.0};
+  const Point* best = nullptr;
+  Point tried;
+  for (const double lift : kLifts) {
+    for (int k = 0; k <= 18 && best == nullptr; ++k) {
+      // 0, 1, −1, 2, −2, …
+      const int steps = (k + 1) / 2;
+      const double turn = kTurnStep * (k % 2 == 1 ? steps : -steps);
+      tried = turned(turned(arm, right, -lift), {0, 0, 1}, turn);
+      const bool overThePole = std::abs(tried[2]) > 0.98 * norm(tried) && lift > 0.0;
+      const bool blocked = std::any_of(
+          boxes.begin(), boxes.end(),
+          [&](const std::array<double, 6>& box) { return crosses(box, target, tried); });
+      if (!overThePole && !blocked) {
+        best = &tried;
+      }
+    }
+  }
+  if (best == nullptr || boxes.empty()) {
+    d.setCamera(target, plus(target, arm), up);
+    return;
+  }
+  const bool asBefore = norm(minus(*best, arm)) < 1e-9 * norm(arm);
+  d.setCamera(target, plus(target, *best), asBefore ? up : Point{0, 0, 1});
+}
+
+bool View::sees(const std::array<double, 6>& box) const {
+  const Impl& d = *impl_;
+  const Point focal = pointOf(d.camera()->GetFocalPoint());
+  bool inside = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    inside = inside && focal[i] >= box[2 * i] && focal[i] <= box[2 * i + 1];
+  }
+  if (inside) {
+    return true;
+  }
+  const Scene::Ray ray = d.ray(0, 0);
+  for (int corner = 0; corner < 9; ++corner) {
+    Point p{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = corner == 8 ? 0.5 * (box[2 * i] + box[2 * i + 1]) : box[2 * i + ((corner >> i) & 1)];
+    }
+    double clip[4];
+    for (int i = 0; i < 4; ++i) {
+      clip[i] = ray.worldToClip[4 * i] * p[0] + ray.worldToClip[4 * i + 1] * p[1] +
+                ray.worldToClip[4 * i + 2] * p[2] + ray.worldToClip[4 * i + 3];
+    }
+    if (clip[3] > 0.0 && std::abs(clip[0]) <= clip[3] && std::abs(clip[1]) <= clip[3]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Point View::eye() const {
+  return pointOf(impl_->camera()->GetPosition());
+}
+
+Point View::focus() const {
+  return pointOf(impl_->camera()->GetFocalPoint());
 }
 
 Pick View::pick(double x, double y, Wanted wanted) const {

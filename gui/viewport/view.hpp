@@ -50,9 +50,17 @@ public:
   void setInset(int left);
   void setParallel(bool on);
   [[nodiscard]] bool parallel() const;
+  /// Moves the camera so that the target is in the middle. It keeps direction and distance unless
+  /// a robot would stand around the camera or before the target: then it looks from the nearest
+  /// direction that is free.
   void lookAt(const Point& target);
+  /// True when a box (xmin, xmax, ...) is in the picture, or the camera looks at something in it.
+  [[nodiscard]] bool sees(const std::array<double, 6>& box) const;
+  [[nodiscard]] Point eye() const;
+  [[nodiscard]] Point focus() const;
 
-  /// What lies under a pixel: path points first, then edges, then faces.
+  /// What is seen under a pixel: path points first, then edges, then faces. What something opaque
+  /// hides, or a section takes away, is not picked.
   struct Wanted {
     bool moves = true;
     bool edges = true;

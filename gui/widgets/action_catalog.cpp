@@ -34,7 +34,12 @@ QAction* ActionCatalog::add(const QString& id,
     action->setIcon(gui::icon(icon));
   }
   if (run) {
-    connect(action, &QAction::triggered, this, run);
+    connect(action, &QAction::triggered, this, [this, id, run] {
+      if (before_) {
+        before_(id);
+      }
+      run();
+    });
   }
   entries_.push_back({id, menu, action});
   return action;
@@ -49,6 +54,15 @@ void ActionCatalog::separate(const QString& menu) {
 QAction* ActionCatalog::action(const QString& id) const {
   for (const Entry& entry : entries_) {
     if (entry.id == id) {
+      return entry.action;
+    }
+  }
+  return nullptr;
+}
+
+QAction* ActionCatalog::actionOf(const QKeySequence& keys) const {
+  for (const Entry& entry : entries_) {
+    if (entry.action->isEnabled() && !keys.isEmpty() && entry.action->shortcuts().contains(keys)) {
       return entry.action;
     }
   }

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 class QMenuBar;
@@ -37,6 +38,13 @@ public:
                const QString& shortcut,
                const QString& icon,
                const std::function<void()>& run);
+
+  /// Called with the id of an action before it runs.
+  void setBefore(std::function<void(const QString& id)> before) { before_ = std::move(before); }
+
+  /// An enabled action of the menus with these keys; null when there is none.
+  [[nodiscard]] QAction* actionOf(const QKeySequence& keys) const;
+
   /// A line between the entries of a menu.
   void separate(const QString& menu);
 
@@ -52,6 +60,7 @@ public:
 
 private:
   std::vector<Entry> entries_;
+  std::function<void(const QString&)> before_;
   mutable std::map<QString, QMenu*> menus_;
 };
 

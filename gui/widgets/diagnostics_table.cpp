@@ -5,9 +5,13 @@
 
 #include "text.hpp"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QPainter>
+#include <QStyleOptionButton>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -49,6 +53,22 @@ QString lineText(const Diagnostic& diagnostic) {
          row.message + (row.remedy.isEmpty() ? QString() : " (" + row.remedy + ")");
 }
 
+namespace {
+
+enum Column {
+  kStatusColumn,
+  kPlaceColumn,
+  kMessageColumn,
+  kRemedyColumn,
+  kApplyColumn,
+  kCodeColumn
+};
+
+constexpr int kColumns = 6;
+constexpr int kButtonRoom = 14;  // beside the text of a button, pixels
+
+}  // namespace
+
 class DiagnosticsTable::Model : public QAbstractTableModel {
 public:
   Model(const std::vector<FindingRow>& rows, QObject* parent)
@@ -63,7 +83,7 @@ public:
   }
 
   [[nodiscard]] int columnCount(const QModelIndex& parent) const override {
-    return parent.isValid() ? 0 : 5;
+    return parent.isValid() ? 0 : kColumns;
   }
 
   [[nodiscard]] QVariant headerData(int section,
@@ -73,13 +93,13 @@ public:
       return {};
     }
     switch (section) {
-      case 1:
+      case kPlaceColumn:
         return DiagnosticsTable::tr("Place");
-      case 2:
+      case kMessageColumn:
         return DiagnosticsTable::tr("Finding");
-      case 3:
+      case kRemedyColumn:
         return DiagnosticsTable::tr("Remedy");
-      case 4:
+      case kCodeColumn:
         return DiagnosticsTable::tr("Code");
       default:
         return {};
@@ -91,20 +111,31 @@ public:
     if (role == Qt::UserRole) {
       return static_cast<int>(row.status);
     }
-    if (role == Qt::DecorationRole && index.column() == 0) {
+    if (role == Qt::DecorationRole && index.column() == kStatusColumn) {
       return statusIcon(row.status);
     }
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) {
       return {};
     }
     switch (index.column()) {
-      case 1:
+      case kPlaceColumn:
         return row.place;
-      case 2:
+      case kMessageColumn:
         return row.message;
-      case 3:
+      case kRemedyColumn:
+        if (role == Qt::ToolTipRole && !row.remedy.isEmpty()) {
+          return row.remedy + "\n" +
+                 (row.apply.empty()
+                      ? DiagnosticsTable::tr("A hint: it was not proven on the whole operation.")
+                      : DiagnosticsTable::tr("This was tried on the whole operation."));
+        }
         return row.remedy;
-      case 4:
+      case kApplyColumn:
+        return row.apply.empty() ? QVariant()
+               : role == Qt::ToolTipRole
+                   ? DiagnosticsTable::tr("Applies the remedy, as one step that can be undone")
+                   : DiagnosticsTable::tr("Apply");
+      case kCodeColumn:
         return row.code;
       default:
         return {};
@@ -131,7 +162,7 @@ protected:
   }
 
   [[nodiscard]] bool lessThan(const QModelIndex& a, const QModelIndex& b) const override {
-    if (a.column() == 0) {
+    if (a.column() == kStatusColumn) {
       return a.data(Qt::UserRole).toInt() > b.data(Qt::UserRole).toInt();
     }
     return QSortFilterProxyModel::lessThan(a, b);
@@ -139,6 +170,29 @@ protected:
 
 private:
   std::set<int> hidden_;
+};
+
+/// A button in the rows whose remedy can be applied.
+class DiagnosticsTable::ApplyDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter,
+             const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, QModelIndex());
+    const QString text = index.data().toString();
+    if (text.isEmpty()) {
+      return;
+    }
+    QStyleOptionButton button;
+    button.rect = option.rect.adjusted(2, 1, -2, -1);
+    button.text = text;
+    button.state = QStyle::State_Enabled | QStyle::State_Raised;
+    button.palette = option.palette;
+    button.fontMetrics = option.fontMetrics;
+    QApplication::style()->drawControl(QStyle::CE_PushButton, &button, painter);
+  }
 };
 
 DiagnosticsTable::DiagnosticsTable(QWidget* parent) : QWidget(parent) {
@@ -162,10 +216,13 @@ DiagnosticsTable::DiagnosticsTable(QWidget* parent) : QWidget(parent) {
   table_->verticalHeader()->setDefaultSectionSize(24);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setTabKeyNavigation(false);
-  table_->setColumnWidth(0, 28);
-  table_->setColumnWidth(1, 190);
-  table_->setColumnWidth(2, 420);
-  table_->setColumnWidth(3, 320);
+  table_->setColumnWidth(kStatusColumn, 28);
+  table_->setColumnWidth(kPlaceColumn, 190);
+  table_->setColumnWidth(kMessageColumn, 420);
+  table_->setColumnWidth(kRemedyColumn, 320);
+  table_->setColumnWidth(kApplyColumn,
+                         fontMetrics().horizontalAdvance(tr("Apply")) + 2 * kButtonRoom);
+  table_->setItemDelegateForColumn(kApplyColumn, new ApplyDelegate(table_));
   search_ = new QLineEdit(this);
   search_->setObjectName("diagnosticsFilter");
   search_->setPlaceholderText(tr("Filter findings"));
@@ -196,6 +253,24 @@ DiagnosticsTable::DiagnosticsTable(QWidget* parent) : QWidget(parent) {
   addButton(Status::Error, tr("Show errors and violations"));
   addButton(Status::Warning, tr("Show warnings"));
   addButton(Status::Information, tr("Show information"));
+  // The same for the keyboard and for people who read the row first.
+  apply_ = new QToolButton(this);
+  apply_->setObjectName("applyRemedy");
+  apply_->setText(tr("Apply remedy"));
+  apply_->setToolTip(
+      tr("Applies the remedy of the selected finding, as one step that can be undone"));
+  apply_->setEnabled(false);
+  top->addWidget(apply_);
+  connect(apply_, &QToolButton::clicked, this, [this] { apply(table_->currentIndex()); });
+  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& index) {
+            apply_->setEnabled(index.isValid() && !rowAt(index).apply.empty());
+          });
+  connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
+    if (index.column() == kApplyColumn) {
+      apply(index);
+    }
+  });
   top->addStretch(1);
   top->addWidget(search_);
   auto* layout = new QVBoxLayout(this);
@@ -205,15 +280,28 @@ DiagnosticsTable::DiagnosticsTable(QWidget* parent) : QWidget(parent) {
   layout->addWidget(table_, 1);
   connect(search_, &QLineEdit::textChanged, filter_, &QSortFilterProxyModel::setFilterFixedString);
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    const int row = filter_->mapToSource(index).row();
-    // The answer may set new rows.
-    const FindingRow copy = rows_[static_cast<std::size_t>(row)];
-    emit activated(copy);
+    if (index.column() != kApplyColumn) {
+      // The answer may set new rows.
+      const FindingRow copy = rowAt(index);
+      emit activated(copy);
+    }
   });
   updateButtons();
 }
 
+const FindingRow& DiagnosticsTable::rowAt(const QModelIndex& index) const {
+  return rows_[static_cast<std::size_t>(filter_->mapToSource(index).row())];
+}
+
+void DiagnosticsTable::apply(const QModelIndex& index) {
+  if (index.isValid() && !rowAt(index).apply.empty()) {
+    const FindingRow copy = rowAt(index);
+    emit applied(copy);
+  }
+}
+
 void DiagnosticsTable::setRows(std::vector<FindingRow> rows) {
+  apply_->setEnabled(false);
   model_->begin();
   rows_ = std::move(rows);
   model_->end();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "wcam/base/diagnostic.hpp"
+#include "wcam/project/commands.hpp"
 
 #include "icons.hpp"
 #include "project_tree.hpp"
@@ -26,8 +27,9 @@ struct FindingRow {
   QString place;
   QString message;
   QString remedy;
-  Place jump;    ///< of an operation's point
-  NodeRef node;  ///< what to select
+  Place jump;                                ///< of an operation's point
+  NodeRef node;                              ///< what to select
+  std::vector<project::Command> apply = {};  ///< what puts it right; none: a hint
 };
 
 FindingRow rowOf(const Diagnostic& diagnostic);
@@ -35,7 +37,7 @@ FindingRow rowOf(const Diagnostic& diagnostic);
 /// A finding in one line: code, place, message, remedy.
 QString lineText(const Diagnostic& diagnostic);
 
-/// Findings with a filter; a double click tells where to jump.
+/// Findings with a filter; a double click tells where to jump, a button applies a remedy.
 class DiagnosticsTable : public QWidget {
   Q_OBJECT
 
@@ -52,17 +54,23 @@ public:
 
 signals:
   void activated(const wcam::gui::FindingRow& row);
+  void applied(const wcam::gui::FindingRow& row);
 
 private:
   class Model;
   class Filter;
+  class ApplyDelegate;
   void updateButtons();
+  /// The row of the model behind an index of the table.
+  [[nodiscard]] const FindingRow& rowAt(const QModelIndex& index) const;
+  void apply(const QModelIndex& index);
 
   std::vector<FindingRow> rows_;
   Model* model_;
   Filter* filter_;
   QTableView* table_;
   QLineEdit* search_;
+  QToolButton* apply_;
   std::vector<std::pair<Status, QToolButton*>> buttons_;
 };
 

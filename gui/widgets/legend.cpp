@@ -7,13 +7,14 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDoubleValidator>
 #include <QFontMetrics>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRegularExpression>
+#include <QRegularExpressionValidator>
 
 #include <algorithm>
 #include <cmath>
@@ -177,19 +178,22 @@ void Legend::editRange() {
   low->setObjectName("rangeLow");
   high->setObjectName("rangeHigh");
   for (QLineEdit* line : {low, high}) {
-    auto* validator = new QDoubleValidator(line);
-    validator->setLocale(QLocale::c());
-    line->setValidator(validator);
+    // With the decimal point of files or the comma of the language.
+    static const QRegularExpression kNumber("[-+]?[0-9]*[.,]?[0-9]*([eE][-+]?[0-9]+)?");
+    line->setValidator(new QRegularExpressionValidator(kNumber, line));
   }
+  // People count layers from 1.
+  const double first = state_.colour() == Quantity::Layer ? 1.0 : 0.0;
+  const auto shown = [first](float value) { return QString::number(value + first); };
   if (state_.range()) {
-    low->setText(QString::number(static_cast<double>(state_.range()->first)));
-    high->setText(QString::number(static_cast<double>(state_.range()->second)));
+    low->setText(shown(state_.range()->first));
+    high->setText(shown(state_.range()->second));
   }
-  low->setPlaceholderText(QString::number(static_cast<double>(colours_.low)));
-  high->setPlaceholderText(QString::number(static_cast<double>(colours_.high)));
+  low->setPlaceholderText(shown(colours_.low));
+  high->setPlaceholderText(shown(colours_.high));
   const QString unit = qt(unitOf(state_.colour()));
-  form->addRow(tr("Lowest (%1)").arg(unit), low);
-  form->addRow(tr("Highest (%1)").arg(unit), high);
+  form->addRow(unit.isEmpty() ? tr("Lowest") : tr("Lowest (%1)").arg(unit), low);
+  form->addRow(unit.isEmpty() ? tr("Highest") : tr("Highest (%1)").arg(unit), high);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
@@ -201,10 +205,10 @@ void Legend::editRange() {
     state_.setRange(std::nullopt);
     return;
   }
-  const auto valueOf = [](const QLineEdit* line, float otherwise) {
+  const auto valueOf = [first](const QLineEdit* line, float otherwise) {
     bool ok = false;
-    const float value = QLocale::c().toFloat(line->text(), &ok);
-    return ok ? value : otherwise;
+    const double value = QLocale::c().toDouble(QString(line->text()).replace(',', '.'), &ok);
+    return ok ? static_cast<float>(value - first) : otherwise;
   };
   const float from = valueOf(low, colours_.low);
   const float to = valueOf(high, colours_.high);

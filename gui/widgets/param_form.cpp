@@ -8,6 +8,7 @@
 #include "icons.hpp"
 #include "text.hpp"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
@@ -15,10 +16,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocale>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QSignalBlocker>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -35,10 +39,17 @@ constexpr std::size_t kRowsAtOnce = 8;
 /// Lines of a list of objects; a longer one is scrolled.
 constexpr int kMostListLines = 6;
 
-/// A choice that the wheel does not change while the form is scrolled.
+/// A choice that the wheel does not change while the form is scrolled, with a list as wide as its
+/// entries.
 class CalmComboBox : public QComboBox {
 public:
   using QComboBox::QComboBox;
+
+  void showPopup() override {
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    view()->setMinimumWidth(view()->sizeHintForColumn(0) + bar);
+    QComboBox::showPopup();
+  }
 
 protected:
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
@@ -73,6 +84,38 @@ QString valueText(const Value& value) {
     return items.join(", ");
   }
   return {};
+}
+
+/// Numbers as some languages write them, in the way of files: a comma between digits is their
+/// decimal point, and ';' stands between numbers.
+QString withDecimalPoints(QString text) {
+  static const QRegularExpression kDecimalComma("(?<=\\d),(?=\\d)");
+  return text.replace(kDecimalComma, ".").replace(';', ',');
+}
+
+/// A text as files write it, or else as the user's language does.
+Value parsed(const ParamSchema& schema,
+             const ParamDef& def,
+             const QString& text,
+             const QLocale& locale) {
+  const std::string& key = def.info.key;
+  const bool isNumber = def.type == ParamType::Real || def.type == ParamType::Vector3;
+  if (!isNumber || locale.decimalPoint() != ",") {
+    return schema.parse(key, utf8(text));
+  }
+  try {
+    return schema.parse(key, utf8(text));
+  } catch (const Error& error) {
+    const QString pointed = withDecimalPoints(text);
+    if (pointed == text) {
+      throw;
+    }
+    try {
+      return schema.parse(key, utf8(pointed));
+    } catch (const Error&) {
+      throw Error(error);  // about what was typed
+    }
+  }
 }
 
 /// The ids of a text like "a, b".
@@ -477,7 +520,7 @@ void ParamForm::commitText(const std::string& section,
   const auto found = std::find_if(sections_.begin(), sections_.end(),
                                   [&](const FormSection& s) { return s.id == section; });
   try {
-    Value value = found->schema.parse(key, utf8(text.trimmed()));
+    Value value = parsed(found->schema, row->def, text.trimmed(), locale());
     if (row->isIndex && value.isInteger() && value.asInteger() >= 0) {
       if (value.asInteger() == 0) {
         showError(section, key, tr("Counted from 1"));
@@ -639,6 +682,17 @@ ParamForm::Row* ParamForm::find(const std::string& section, const std::string& k
 QWidget* ParamForm::field(const std::string& section, const std::string& key) {
   const Row* row = find(section, key);
   return row != nullptr ? row->field : nullptr;
+}
+
+void ParamForm::commit() {
+  for (const Row& row : rows_) {
+    const auto* line = qobject_cast<QLineEdit*>(row.field);
+    if (line != nullptr && line->hasFocus()) {
+      // The document may answer at once and rebuild the rows.
+      commitText(std::string(row.section), std::string(row.def.info.key), line->text());
+      return;
+    }
+  }
 }
 
 void ParamForm::focusSearch() {

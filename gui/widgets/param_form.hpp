@@ -62,6 +62,8 @@ public:
 
   /// Shows an error of the command at the field that was edited last.
   void showError(const std::string& section, const std::string& key, const QString& error);
+  /// Takes what is typed into the field that has the focus, as if it was left.
+  void commit();
   void focusSearch();
   /// Opens and focuses the field of a parameter.
   void focusField(const std::string& section, const std::string& key);

@@ -36,6 +36,8 @@ QPalette paletteOf(bool dark) {
   return palette;
 }
 
+// The list of a combo box is a list, not a menu: with a style sheet Fusion draws the chosen entry
+// of such a menu white on white.
 constexpr const char* kSheet = R"(
 QToolTip { padding: 4px; border: 1px solid palette(mid); }
 QMainWindow::separator { width: 4px; height: 4px; background: palette(window); }
@@ -48,6 +50,8 @@ QHeaderView::section { padding: 3px 6px; border: none; border-bottom: 1px solid 
 QLineEdit, QComboBox { padding: 2px 5px; border: 1px solid palette(mid); border-radius: 4px; background: palette(base); min-height: 18px; }
 QLineEdit:focus, QComboBox:focus { border: 1px solid palette(highlight); }
 QLineEdit:disabled { background: palette(window); }
+QComboBox { combobox-popup: 0; }
+QComboBox QAbstractItemView { border: 1px solid palette(mid); background: palette(base); color: palette(text); selection-background-color: palette(highlight); selection-color: palette(highlighted-text); }
 QToolBar { border: none; border-bottom: 1px solid palette(mid); spacing: 3px; padding: 3px; }
 QToolBar QToolButton { padding: 4px; border-radius: 4px; border: 1px solid transparent; }
 QToolBar QToolButton:hover { background: palette(base); border: 1px solid palette(mid); }

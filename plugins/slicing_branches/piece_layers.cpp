@@ -330,12 +330,15 @@ private:
     }
     const toolpath::SpiralPlan plan = toolpath::planSpiral(lengths, wish);
     if (plan.excess) {
+      const auto range = toolpath::rangeThatWouldDo(lengths, wish);
       context_.add({Severity::Warning,
                     "slicing.spiral_infeasible",
                     text("piece %1 needs a deposit of %2 mm, outside of %3 to %4 mm",
                          {std::to_string(number), formatFixed(plan.excess->height, 3),
                           formatFixed(wish.heightMin, 3), formatFixed(wish.heightMax, 3)}),
-                    text("a range of %1 would do", {toolpath::rangeThatWouldDo(lengths, wish)}),
+                    range ? text("a process whose heights go from %1 would do",
+                                 {toolpath::rangeText(*range)})
+                          : text("no range about this deposit does: build the piece in layers"),
                     {},
                     {{"piece", static_cast<double>(number)}, {"deposit_mm", plan.excess->height}}});
     }

@@ -217,7 +217,7 @@ void refuseOpenSection(const SlicedLayer& layer, std::size_t index) {
           ErrorCode::JobFailed,
           text("the section is not closed, so it has no inside to fill: it ends at (%1, %2, %3)",
                {formatFixed(p.x(), 3), formatFixed(p.y(), 3), formatFixed(p.z(), 3)}),
-          text("bulk slicing, layer %1", {std::to_string(index)}),
+          text("bulk slicing, layer %1", {std::to_string(index + 1)}),
           "repair the part's surface, take a wall strategy, or set open_sections=bead to "
           "lay the section itself as a bead");
     }

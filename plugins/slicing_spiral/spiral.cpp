@@ -3,6 +3,7 @@
 
 #include "wcam/toolpath/spiral.hpp"
 
+#include "wcam/base/remedy.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/refine.hpp"
 #include "wcam/plugin/plugin.hpp"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 namespace {
 
@@ -225,40 +228,142 @@ toolpath::SpiralWish wishOf(const Params& params, const toolpath::WallLimits& li
   return wish;
 }
 
-void reportExcess(const toolpath::Generatrices& generatrices,
-                  const toolpath::SpiralPlan& plan,
-                  const toolpath::SpiralWish& wish,
-                  const Params& params,
-                  const JobContext& context) {
-  if (!plan.excess) {
-    return;
+/// A spiral with a range, and what was found on the way.
+struct Attempt {
+  toolpath::SlicedLayers sliced;
+  std::vector<Diagnostic> findings;
+};
+
+using Make = std::function<Attempt(const toolpath::SpiralWish&, const JobContext&)>;
+
+bool isAboutRange(const Diagnostic& finding) {
+  return finding.code == "slicing.spiral_height" || finding.code == "slicing.spiral_infeasible";
+}
+
+double numberOf(const Diagnostic& finding, const std::string& key, double otherwise) {
+  for (const auto& [name, number] : finding.data) {
+    if (name == key) {
+      return number;
+    }
   }
-  std::vector<double> lengths;
-  for (const toolpath::Generatrix& curve : generatrices.curves) {
-    lengths.push_back(curve.length());
+  return otherwise;
+}
+
+/// A range that also holds what was found outside of it, and some more.
+toolpath::SpiralRange widened(const toolpath::SpiralRange& range,
+                              const Diagnostic& found,
+                              const toolpath::SpiralWish& wish) {
+  constexpr double kMore = 0.01;  // of the mean deposit
+  const double deposit = numberOf(found, "deposit_mm", wish.height);
+  const double low = std::min(deposit, numberOf(found, "height_min_mm", wish.height));
+  const double high = std::max(deposit, numberOf(found, "height_max_mm", wish.height));
+  return toolpath::roundedOutwards(low < range.low ? low - kMore * wish.height : range.low,
+                                   high > range.high ? high + kMore * wish.height : range.high);
+}
+
+/// The range from a first one on with which the whole spiral is made and nothing is found outside.
+/// Heights are measured across the layers, where they are less than along the generatrices, and
+/// another range gives other ramps: so each is tried.
+std::optional<toolpath::SpiralRange> provenRange(toolpath::SpiralRange range,
+                                                 const toolpath::SpiralWish& wish,
+                                                 const Make& make,
+                                                 const JobContext& context) {
+  constexpr int kMostTries = 4;
+  for (int tries = 0; tries < kMostTries && range.low > 0.0; ++tries) {
+    toolpath::SpiralWish wider = wish;
+    wider.heightMin = range.low;
+    wider.heightMax = range.high;
+    try {
+      const Attempt attempt = make(wider, context);
+      const auto found =
+          std::find_if(attempt.findings.begin(), attempt.findings.end(), isAboutRange);
+      if (found == attempt.findings.end()) {
+        return range;
+      }
+      range = widened(range, *found, wish);
+    } catch (const CancelledError&) {
+      throw;
+    } catch (const Error&) {
+      return std::nullopt;
+    }
   }
-  const toolpath::Generatrix& curve = generatrices.curves[plan.excess->generatrix];
+  return std::nullopt;
+}
+
+std::vector<ParamSetting> settingsOf(const toolpath::SpiralRange& range) {
+  return {{"params", "height_min", range.low}, {"params", "height_max", range.high}};
+}
+
+Text remedyOf(const std::optional<toolpath::SpiralRange>& range) {
+  return range
+             ? text("set the modulation range to %1; this was tried", {toolpath::rangeText(*range)})
+             : text(
+                   "no range about this deposit does on this part: another decomposition or "
+                   "another mean deposit may help");
+}
+
+/// The generatrix that breaks the range most.
+Diagnostic excessOf(const std::vector<toolpath::Generatrix>& curves,
+                    const toolpath::SpiralPlan& plan,
+                    const toolpath::SpiralWish& wish) {
+  const toolpath::Generatrix& curve = curves[plan.excess->generatrix];
   const Vec3& foot = curve.points().front();
   const double excess =
       std::max(wish.heightMin - plan.excess->height, plan.excess->height - wish.heightMax);
-  const Text message = text(
-      "the generatrix from (%1, %2, %3), %4 mm long, needs a deposit of %5 mm, %6 mm outside of "
-      "%7 to %8 mm",
-      {formatFixed(foot.x(), 1), formatFixed(foot.y(), 1), formatFixed(foot.z(), 1),
-       formatFixed(curve.length(), 2), formatFixed(plan.excess->height, 3), formatFixed(excess, 3),
-       formatFixed(wish.heightMin, 3), formatFixed(wish.heightMax, 3)});
-  const Text hint = text("a range of %1 would do", {toolpath::rangeThatWouldDo(lengths, wish)});
-  if (params.infeasible == Infeasible::Refuse) {
-    refuse(message, hint);
+  return {Severity::Warning,
+          "slicing.spiral_infeasible",
+          text("the generatrix from (%1, %2, %3), %4 mm long, needs a deposit of %5 mm, %6 mm "
+               "outside of %7 to %8 mm",
+               {formatFixed(foot.x(), 1), formatFixed(foot.y(), 1), formatFixed(foot.z(), 1),
+                formatFixed(curve.length(), 2), formatFixed(plan.excess->height, 3),
+                formatFixed(excess, 3), formatFixed(wish.heightMin, 3),
+                formatFixed(wish.heightMax, 3)}),
+          {},
+          {{}, 0, 0, -1},
+          {{"generatrix", static_cast<double>(plan.excess->generatrix)},
+           {"deposit_mm", plan.excess->height},
+           {"excess_mm", excess}}};
+}
+
+/// Gives the findings about the range their remedy, and refuses where that is wanted.
+void tellRange(Attempt& attempt,
+               const std::optional<toolpath::SpiralRange>& range,
+               const Params& params) {
+  for (Diagnostic& finding : attempt.findings) {
+    if (!isAboutRange(finding)) {
+      continue;
+    }
+    finding.remedy = remedyOf(range);
+    const auto settings = range ? settingsOf(*range) : std::vector<ParamSetting>();
+    if (finding.code == "slicing.spiral_infeasible" && params.infeasible == Infeasible::Refuse) {
+      throw RemediedError(
+          Error(ErrorCode::JobFailed, finding.message, "continuous spiral", finding.remedy),
+          settings);
+    }
+    for (const ParamSetting& setting : settings) {
+      finding.data.push_back(figureOf(setting));
+    }
   }
-  context.add({Severity::Warning,
-               "slicing.spiral_infeasible",
-               message,
-               hint,
-               {{}, 0, 0, -1},
-               {{"generatrix", static_cast<double>(plan.excess->generatrix)},
-                {"deposit_mm", plan.excess->height},
-                {"excess_mm", excess}}});
+}
+
+/// The spiral of the wish, with findings whose remedies were tried.
+/// @param first a range to begin with where the wish does not do
+toolpath::SlicedLayers made(const toolpath::SpiralWish& wish,
+                            const Params& params,
+                            const std::function<toolpath::SpiralRange()>& first,
+                            const Make& make,
+                            const JobContext& context) {
+  Attempt attempt = make(wish, context);
+  const auto found = std::find_if(attempt.findings.begin(), attempt.findings.end(), isAboutRange);
+  if (found != attempt.findings.end()) {
+    // Without progress: nobody knows how many tries it takes.
+    const JobContext quiet = context.portion(1.0, 1.0);
+    tellRange(attempt, provenRange(widened(first(), *found, wish), wish, make, quiet), params);
+  }
+  for (Diagnostic& finding : attempt.findings) {
+    context.add(std::move(finding));
+  }
+  return std::move(attempt.sliced);
 }
 
 class SpiralSlicing : public plugin::SlicingStrategy {
@@ -285,8 +390,14 @@ public:
     const toolpath::WallLimits& limits = wall.limits;
     const toolpath::SpiralWish wish = wishOf(params, limits);
     if (params.form == Form::Field) {
-      return toolpath::spiralOnField(fine, part, limits, wish, input.sampling,
-                                     context.portion(0.3, 1.0, "spiral"));
+      const Make make = [&](const toolpath::SpiralWish& with, const JobContext& own) {
+        const JobContext found = own.withOwnDiagnostics();
+        toolpath::SlicedLayers sliced =
+            toolpath::spiralOnField(fine, part, limits, with, input.sampling, found);
+        return Attempt{std::move(sliced), found.diagnostics().items()};
+      };
+      const auto first = [&] { return toolpath::roundedOutwards(wish.heightMin, wish.heightMax); };
+      return made(wish, params, first, make, context.portion(0.3, 1.0, "spiral"));
     }
     toolpath::GeneratrixOptions options;
     options.method = params.decomposition;
@@ -301,14 +412,28 @@ public:
     for (const toolpath::Generatrix& curve : generatrices.curves) {
       lengths.push_back(curve.length());
     }
-    const toolpath::SpiralPlan plan = toolpath::planSpiral(lengths, wish);
-    reportExcess(generatrices, plan, wish, params, context);
     // The facets of a mesh ask for many generatrices, but few points lie at its edges. Points that
     // were asked for by number stay.
     const std::optional<toolpath::Sampling> thinning =
         params.generatrices > 0 || part.exact() ? std::nullopt : std::optional(input.sampling);
-    return toolpath::spiralAlong(part, generatrices, plan, wish,
-                                 context.portion(0.8, 1.0, "spiral"), thinning);
+    const Make make = [&](const toolpath::SpiralWish& with, const JobContext& own) {
+      const JobContext found = own.withOwnDiagnostics();
+      const toolpath::SpiralPlan plan = toolpath::planSpiral(lengths, with);
+      Attempt attempt;
+      if (plan.excess) {
+        found.add(excessOf(generatrices.curves, plan, with));
+      }
+      if (!plan.excess || params.infeasible == Infeasible::Report) {
+        attempt.sliced = toolpath::spiralAlong(part, generatrices, plan, with, found, thinning);
+      }
+      attempt.findings = found.diagnostics().items();
+      return attempt;
+    };
+    const auto first = [&] {
+      return toolpath::rangeThatWouldDo(lengths, wish)
+          .value_or(toolpath::roundedOutwards(wish.heightMin, wish.heightMax));
+    };
+    return made(wish, params, first, make, context.portion(0.8, 1.0, "spiral"));
   }
 };
 

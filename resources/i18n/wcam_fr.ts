@@ -2253,22 +2253,6 @@
         <translation>%1 : %2 intervalles sont plus longs que les autres ; le plus long est de %3 s à %4 s au lieu de %5 s</translation>
     </message>
     <message>
-        <source>%1: that serves %2 of %3 points tried of this bead</source>
-        <translation>%1 : cela suffit pour %2 des %3 points essayés de ce cordon</translation>
-    </message>
-    <message>
-        <source>%1: that serves %2 of %3 points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
-        <translation>%1 : cela suffit pour %2 des %3 points essayés de ce cordon (portée, butées et singularités ; collisions non examinées)</translation>
-    </message>
-    <message>
-        <source>%1: that serves all points tried of this bead</source>
-        <translation>%1 : cela suffit pour tous les points essayés de ce cordon</translation>
-    </message>
-    <message>
-        <source>%1: that serves all points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
-        <translation>%1 : cela suffit pour tous les points essayés de ce cordon (portée, butées et singularités ; collisions non examinées)</translation>
-    </message>
-    <message>
         <source>%1: the file &apos;%2&apos; is not the one that the project was made with</source>
         <translation>%1 : le fichier « %2 » n’est pas celui avec lequel le projet a été fait</translation>
     </message>
@@ -3599,10 +3583,6 @@
     <message>
         <source>a property without element</source>
         <translation>une propriété sans élément</translation>
-    </message>
-    <message>
-        <source>a range of %1 would do</source>
-        <translation>un domaine de %1 conviendrait</translation>
     </message>
     <message>
         <source>a second operation &apos;%1&apos; begins</source>
@@ -7391,10 +7371,6 @@
         <translation>les poids doivent être finis et supérieurs à zéro</translation>
     </message>
     <message>
-        <source>widen the modulation range, or choose another decomposition</source>
-        <translation>élargir le domaine de modulation, ou choisir une autre décomposition</translation>
-    </message>
-    <message>
         <source>widen the range, lower the deposit, or start without ramps</source>
         <translation>élargir le domaine, baisser le dépôt, ou commencer sans rampes</translation>
     </message>
@@ -7489,10 +7465,6 @@
     <message>
         <source>wrote no file</source>
         <translation>n’a écrit aucun fichier</translation>
-    </message>
-    <message>
-        <source>±%1 %, that is %2 to %3 mm</source>
-        <translation>±%1 %, soit %2 à %3 mm</translation>
     </message>
     <message>
         <source>Highest corner</source>
@@ -7722,6 +7694,82 @@
         <source>Planar slicing</source>
         <translation>Tranchage plan</translation>
     </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 à %2 mm</translation>
+    </message>
+    <message>
+        <source>%1; tried on the whole operation, it does not help by itself</source>
+        <translation>%1 ; essayé sur toute l’opération, cela ne suffit pas seul</translation>
+    </message>
+    <message>
+        <source>%1; tried on the whole operation: %2 of %3 violations are left</source>
+        <translation>%1 ; essayé sur toute l’opération : il reste %2 des %3 non-conformités</translation>
+    </message>
+    <message>
+        <source>%1; tried on the whole operation: no violation is left</source>
+        <translation>%1 ; essayé sur toute l’opération : il ne reste aucune non-conformité</translation>
+    </message>
+    <message>
+        <source>Counted from 0 in files, from 1 in the window; negative numbers count from the top, whose layer is -1.</source>
+        <translation>Compté à partir de 0 dans les fichiers, de 1 dans la fenêtre ; les nombres négatifs comptent depuis le haut, dont la couche est -1.</translation>
+    </message>
+    <message>
+        <source>Counted in each layer, from 0 in files, from 1 in the window; -1 is all beads.</source>
+        <translation>Compté dans chaque couche, à partir de 0 dans les fichiers, de 1 dans la fenêtre ; -1 désigne tous les cordons.</translation>
+    </message>
+    <message>
+        <source>a hint: %1, which serves %2 of %3 points tried of this bead</source>
+        <translation>une piste : %1, ce qui convient à %2 des %3 points essayés de ce cordon</translation>
+    </message>
+    <message>
+        <source>a hint: %1, which serves %2 of %3 points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
+        <translation>une piste : %1, ce qui convient à %2 des %3 points essayés de ce cordon (portée, butées et singularités ; sans les collisions)</translation>
+    </message>
+    <message>
+        <source>a hint: %1, which serves all points tried of this bead</source>
+        <translation>une piste : %1, ce qui convient à tous les points essayés de ce cordon</translation>
+    </message>
+    <message>
+        <source>a hint: %1, which serves all points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
+        <translation>une piste : %1, ce qui convient à tous les points essayés de ce cordon (portée, butées et singularités ; sans les collisions)</translation>
+    </message>
+    <message>
+        <source>a process whose heights go from %1 would do</source>
+        <translation>un procédé dont les hauteurs vont de %1 conviendrait</translation>
+    </message>
+    <message>
+        <source>a wider modulation range or another decomposition may help</source>
+        <translation>une plage de modulation plus large ou une autre décomposition peut aider</translation>
+    </message>
+    <message>
+        <source>no range about this deposit does on this part: another decomposition or another mean deposit may help</source>
+        <translation>aucune plage autour de cette hauteur déposée ne convient à cette pièce : une autre décomposition ou une autre hauteur déposée moyenne peut aider</translation>
+    </message>
+    <message>
+        <source>no range about this deposit does: build the piece in layers</source>
+        <translation>aucune plage autour de cette hauteur déposée ne convient : construire ce tronçon par couches</translation>
+    </message>
+    <message>
+        <source>set exit_rotations, which tilts the torch out of collisions</source>
+        <translation>activer exit_rotations, qui incline la torche hors des collisions</translation>
+    </message>
+    <message>
+        <source>set the modulation range to %1; this was tried</source>
+        <translation>régler la plage de modulation sur %1 ; cela a été essayé</translation>
+    </message>
+    <message>
+        <source>set the rotation about the torch to %1 deg</source>
+        <translation>régler la rotation autour de la torche sur %1 deg</translation>
+    </message>
+    <message>
+        <source>take the cell &quot;%1&quot;</source>
+        <translation>prendre la cellule « %1 »</translation>
+    </message>
+    <message>
+        <source>use the configuration %1 and a rotation of %2 deg about the torch</source>
+        <translation>utiliser la configuration %1 et une rotation de %2 deg autour de la torche</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -7835,6 +7883,21 @@
     </message>
 </context>
 <context>
+    <name>wcam::gui::CellDialog</name>
+    <message>
+        <source>Choose a cell</source>
+        <translation>Choisir une cellule</translation>
+    </message>
+    <message>
+        <source>Other file…</source>
+        <translation>Autre fichier…</translation>
+    </message>
+    <message>
+        <source>Cells (*.json)</source>
+        <translation>Cellules (*.json)</translation>
+    </message>
+</context>
+<context>
     <name>wcam::gui::CommandPalette</name>
     <message>
         <source>Command palette</source>
@@ -7894,6 +7957,30 @@
     <message>
         <source>Show information</source>
         <translation>Montrer les informations</translation>
+    </message>
+    <message>
+        <source>A hint: it was not proven on the whole operation.</source>
+        <translation>Une piste : elle n’a pas été vérifiée sur toute l’opération.</translation>
+    </message>
+    <message>
+        <source>This was tried on the whole operation.</source>
+        <translation>Cela a été essayé sur toute l’opération.</translation>
+    </message>
+    <message>
+        <source>Applies the remedy, as one step that can be undone</source>
+        <translation>Applique le remède en une étape, qui peut être annulée</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Apply remedy</source>
+        <translation>Appliquer le remède</translation>
+    </message>
+    <message>
+        <source>Applies the remedy of the selected finding, as one step that can be undone</source>
+        <translation>Applique le remède du constat sélectionné en une étape, qui peut être annulée</translation>
     </message>
 </context>
 <context>
@@ -8138,6 +8225,14 @@
     <message>
         <source>Highest (%1)</source>
         <translation>Maximum (%1)</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Maximum</translation>
     </message>
 </context>
 <context>
@@ -8424,10 +8519,6 @@
     <message>
         <source>Choose &amp;cell…</source>
         <translation>Choisir la &amp;cellule…</translation>
-    </message>
-    <message>
-        <source>Take the robot cell from a file</source>
-        <translation>Prendre la cellule robot dans un fichier</translation>
     </message>
     <message>
         <source>&amp;Drop part on plate</source>
@@ -8834,14 +8925,6 @@
         <translation>Où est le fichier de %1 ?</translation>
     </message>
     <message>
-        <source>Choose a cell</source>
-        <translation>Choisir une cellule</translation>
-    </message>
-    <message>
-        <source>Cells (*.json)</source>
-        <translation>Cellules (*.json)</translation>
-    </message>
-    <message>
         <source>The part must be read before it can be placed.</source>
         <translation>La pièce doit être lue avant d’être placée.</translation>
     </message>
@@ -9083,6 +9166,22 @@
     <message>
         <source>Repeat layer %1</source>
         <translation>Répéter la couche %1</translation>
+    </message>
+    <message>
+        <source>Choose the robot cell, one that comes with the program or a file</source>
+        <translation>Choisir la cellule robotisée, fournie avec le programme ou dans un fichier</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>cellule</translation>
+    </message>
+    <message>
+        <source>The last path that could be computed — see Findings</source>
+        <translation>La dernière trajectoire calculable — voir Constats</translation>
+    </message>
+    <message>
+        <source>Remedy: %1</source>
+        <translation>Remède : %1</translation>
     </message>
 </context>
 <context>

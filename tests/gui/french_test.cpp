@@ -8,6 +8,8 @@
 #include "gui_fixture.hpp"
 #include "widgets/text.hpp"
 
+#include <QLineEdit>
+#include <QLocale>
 #include <QTranslator>
 
 #include <algorithm>
@@ -31,6 +33,7 @@ protected:
     for (QTranslator* translator : qApp->findChildren<QTranslator*>()) {
       QCoreApplication::removeTranslator(translator);
     }
+    QLocale::setDefault(QLocale::c());
   }
 
   void open(const std::filesystem::path& file) {
@@ -129,6 +132,35 @@ TEST_F(French, HelpsOfParameters) {
   for (const ParamDef& def : planar.params.defs()) {
     EXPECT_TRUE(def.info.help.empty() || engineText(def.info.help) != qt(def.info.help))
         << def.info.help;
+  }
+}
+
+TEST_F(French, ADecimalCommaIsTaken) {
+  open(test::copyOf("elbow", folder.path()));
+  window->tree().select({"operations", "planar"});
+  const auto type = [this](const char* section, const char* key, const QString& text) {
+    auto* line = qobject_cast<QLineEdit*>(window->form().field(section, key));
+    ASSERT_NE(line, nullptr) << key;
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(utf8(window->form().errorAt(section, key)), "") << key;
+  };
+  type("params", "step", "7,25 mm");
+  const project::Operation* operation = window->session().document().project().operation("planar");
+  EXPECT_DOUBLE_EQ(operation->params.at("step").asReal(), 7.25);
+  type("params", "step", "6.5");
+  operation = window->session().document().project().operation("planar");
+  EXPECT_DOUBLE_EQ(operation->params.at("step").asReal(), 6.5) << "files write points";
+  // Vectors: with ';' between the numbers, or with commas and blanks.
+  window->tree().select({"parts", "elbow"});
+  for (const char* text : {"1,5; -2; 3,25", "1,5, -2, 3,25"}) {
+    ASSERT_FALSE(window->session().apply(
+        {"part.set", Value::object({{"id", "elbow"}, {"placement", Value()}})}));
+    type("node", "placement_position_mm", text);
+    const project::Part* part = window->session().document().project().part("elbow");
+    EXPECT_EQ(part->placement.positionMm, (std::array<double, 3>{1.5, -2.0, 3.25})) << text;
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/application.hpp"
+#include "program_role.hpp"
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -10,6 +11,10 @@
 #include <clocale>
 
 int main(int argc, char** argv) {
+  int code = 0;
+  if (wcam::gui::test::playRole(argc, argv, code)) {
+    return code;
+  }
   ::testing::InitGoogleTest(&argc, argv);
   wcam::gui::prepareApplication();
   QCoreApplication::setApplicationName("wcam-test");

@@ -13,6 +13,7 @@
 #include <QAbstractButton>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -211,9 +212,32 @@ TEST_F(Offscreen, TemplatesBecomeProjectsWhoseFilesAreCopiedOnSaving) {
     std::filesystem::create_directories(file.parent_path());
     ASSERT_TRUE(window.saveTo(file)) << utf8(window.noticeText());
     const project::LoadedProject loaded = project::loadProject(file);
-    EXPECT_NO_THROW(project::checkFiles(loaded.document, file));
+    EXPECT_TRUE(project::checkFiles(loaded.document, file).empty());
+    std::size_t own = 0;
     for (const project::UsedFile& used : project::usedFiles(loaded.document)) {
-      EXPECT_FALSE(std::filesystem::path(used.ref.path).is_absolute()) << used.ref.path;
+      const std::string& path = used.ref.path;
+      EXPECT_FALSE(std::filesystem::path(path).is_absolute()) << path;
+      if (path.rfind(project::kShippedPrefix, 0) == 0) {
+        continue;
+      }
+      // The copy beside the project is the file of the example, byte by byte.
+      ++own;
+      const std::filesystem::path copy = file.parent_path() / path;
+      ASSERT_TRUE(std::filesystem::exists(copy)) << path;
+      const std::string example = utf8(list->item(i)->data(Qt::UserRole).toString());
+      ASSERT_FALSE(example.empty()) << "the empty project names no file of its own";
+      EXPECT_EQ(readFile(copy), readFile(std::filesystem::path(example).parent_path() /
+                                         std::filesystem::path(path).filename()));
+    }
+    EXPECT_EQ(own > 0, i > 0) << "every example has a part, the empty project none";
+    // The check is one: it finds a file that is gone.
+    for (const project::UsedFile& used : project::usedFiles(loaded.document)) {
+      if (used.ref.path.rfind(project::kShippedPrefix, 0) != 0) {
+        std::filesystem::remove(file.parent_path() / used.ref.path);
+      }
+    }
+    if (own > 0) {
+      EXPECT_THROW(project::checkFiles(loaded.document, file), Error);
     }
   }
 }
@@ -225,6 +249,7 @@ TEST_F(Offscreen, FrenchTextsAreShown) {
   for (QTranslator* translator : qApp->findChildren<QTranslator*>()) {
     QCoreApplication::removeTranslator(translator);
   }
+  QLocale::setDefault(QLocale::c());
 }
 
 }  // namespace

@@ -277,6 +277,54 @@ TEST(Generation, KeepsWhatIsTheSame) {
   EXPECT_NE(second.operation("planar")->path, first.operation("planar")->path);
 }
 
+TEST(Generation, KeepsTheLastPathOfAnOperationThatFails) {
+  const std::filesystem::path file =
+      std::filesystem::path(WCAM_RESOURCES) / "projects/elbow/elbow.wcam";
+  const auto plugins =
+      std::make_shared<const plugin::PluginHost>(plugin::defaultPluginSearch({}, false));
+  const auto cache = std::make_shared<project::StageCache>();
+  const project::Document good = wcam::test::withQuickMotion(project::loadProject(file).document);
+  const auto run = [&](const project::Document& document, const Generated& before) {
+    return generate(project::Pipeline(document, file, plugins, cache), {}, before, JobContext(),
+                    [](const Generated&) {});
+  };
+  const auto with = [&](const char* section, const char* key, const Value& value) {
+    return project::apply(
+        good,
+        {"operation.set_param",
+         Value::object({{"id", "planar"}, {"section", section}, {"key", key}, {"value", value}})});
+  };
+  const Generated first = run(good, {});
+  EXPECT_FALSE(first.operation("planar")->outdated);
+  ASSERT_EQ(first.plates.size(), 1U);
+  EXPECT_EQ(first.operation("planar")->substrate, first.plates[0].mesh);
+  // No layers at all.
+  const Generated second = run(with("params", "step", Value(-3.0)), first);
+  EXPECT_TRUE(second.operation("planar")->error);
+  EXPECT_EQ(second.operation("planar")->path, first.operation("planar")->path);
+  EXPECT_TRUE(second.operation("planar")->outdated);
+  EXPECT_FALSE(second.operation("guide")->outdated);
+  // Twice in a row it is still the last one that there was.
+  const Generated third = run(with("params", "step", Value(-4.0)), second);
+  EXPECT_EQ(third.operation("planar")->path, first.operation("planar")->path);
+  EXPECT_TRUE(third.operation("planar")->outdated);
+  // The same beads without a motion: what was found of the motion is old.
+  const Generated fourth = run(with("motion", "safe_height", Value(-1.0)), first);
+  EXPECT_TRUE(fourth.operation("planar")->error);
+  EXPECT_TRUE(fourth.operation("planar")->outdated);
+  // New beads stand for themselves.
+  project::Document noCell =
+      project::apply(with("params", "step", Value(7.0)), {"cell.remove", Value::object({})});
+  const Generated fifth = run(noCell, first);
+  EXPECT_TRUE(fifth.operation("planar")->error);
+  EXPECT_NE(fifth.operation("planar")->path, first.operation("planar")->path);
+  EXPECT_FALSE(fifth.operation("planar")->outdated);
+  // And it is over when the operation can be computed again.
+  const Generated last = run(good, third);
+  EXPECT_EQ(last.operation("planar")->path, first.operation("planar")->path);
+  EXPECT_FALSE(last.operation("planar")->outdated);
+}
+
 TEST(Generation, ShowsBeadsBeforeTheirMotionAndWithoutACell) {
   const std::filesystem::path file =
       std::filesystem::path(WCAM_RESOURCES) / "projects/elbow/elbow.wcam";

@@ -5,6 +5,7 @@
 
 #include "wcam/base/error.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/remedy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,14 +22,44 @@ TEST(Diagnostic, AsValueAndLine) {
       toCompactJson(toValue(sample())),
       R"({"severity": "violation", "code": "motion.joint_limit", "message": "axis 3 leaves its range", "remedy": "turn the part", "place": {"operation": "elbow", "layer": 3, "bead": 0, "point": 12}, "data": {"excess_deg": 1.5}})");
   EXPECT_EQ(toLine(sample()),
-            "violation motion.joint_limit [elbow layer 3 bead 0 point 12]: axis 3 leaves its range "
+            "violation motion.joint_limit [elbow layer 4 bead 1 point 13]: axis 3 leaves its range "
             "(turn the part)");
   const Diagnostic bare{Severity::Information, "a.b", "text", {}, {}, {}};
   EXPECT_EQ(toCompactJson(toValue(bare)),
             R"({"severity": "information", "code": "a.b", "message": "text"})");
   EXPECT_EQ(toLine(bare), "information a.b: text");
   const Diagnostic layer{Severity::Warning, "a.b", "text", {}, {{}, 2, -1, -1}, {}};
-  EXPECT_EQ(toLine(layer), "warning a.b [layer 2]: text");
+  EXPECT_EQ(toLine(layer), "warning a.b [layer 3]: text");
+}
+
+TEST(Diagnostic, PeopleCountFromOneAndFilesFromZero) {
+  const Diagnostic first{Severity::Warning, "a.b", "text", {}, {"elbow", 0, 0, 0}, {}};
+  EXPECT_EQ(toLine(first), "warning a.b [elbow layer 1 bead 1 point 1]: text");
+  EXPECT_EQ(toValue(first).at("place").at("layer").asInteger(), 0);
+}
+
+TEST(Remedy, SettingsAreKeptAmongTheFiguresOfAFinding) {
+  Diagnostic finding = sample();
+  EXPECT_TRUE(settingsOf(finding).empty());
+  const ParamSetting low{"params", "height_min", 1.58};
+  const ParamSetting rate{"path", "axis_rate", 2.0};
+  finding.data.push_back(figureOf(low));
+  finding.data.push_back(figureOf(rate));
+  EXPECT_EQ(settingsOf(finding), (std::vector<ParamSetting>{low, rate}));
+  EXPECT_DOUBLE_EQ(toValue(finding).at("data").at("set.params.height_min").asReal(), 1.58);
+}
+
+TEST(Remedy, AnErrorCarriesItsSettings) {
+  try {
+    throw RemediedError(Error(ErrorCode::JobFailed, "too narrow", "spiral", "widen it"),
+                        {{"params", "height_min", 1.58}});
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "spiral: too narrow");
+    EXPECT_EQ(error.hint(), "widen it");
+    const auto* remedied = dynamic_cast<const RemediedError*>(&error);
+    ASSERT_NE(remedied, nullptr);
+    EXPECT_EQ(remedied->settings(), (std::vector<ParamSetting>{{"params", "height_min", 1.58}}));
+  }
 }
 
 TEST(Diagnostics, CollectAndCount) {

@@ -346,7 +346,7 @@ TEST(Explain, theCureCures) {
     return d.code == "motion.unreachable";
   });
   ASSERT_NE(missing, items.end());
-  EXPECT_THAT(missing->remedy, HasSubstr("that serves all points tried of this bead"));
+  EXPECT_THAT(missing->remedy, HasSubstr("serves all points tried of this bead"));
   const auto vectorOf = [&](const std::string& frame) {
     return Vec3(figure(*missing, "cure_" + frame + "_x_mm", 0),
                 figure(*missing, "cure_" + frame + "_y_mm", 0),

@@ -4,6 +4,7 @@
 #include "wcam/toolpath/edits.hpp"
 
 #include "wcam/process/process.hpp"
+#include "wcam/toolpath/edit_findings.hpp"
 
 #include "error_matchers.hpp"
 #include "hand_made_layers.hpp"
@@ -601,6 +602,97 @@ TEST(Edits, TypesAreComplete) {
     EXPECT_TRUE(validateEdit(info.type, Value::object()).empty()) << info.key;
   }
   EXPECT_FALSE(editTypeOf("move_seams"));
+}
+
+Diagnostic findingAt(int layer, int bead = -1, int point = -1) {
+  return {Severity::Violation, "slicing.open", "open", {}, {{}, layer, bead, point}};
+}
+
+std::vector<Place> placesOf(const std::vector<Diagnostic>& findings) {
+  std::vector<Place> places;
+  for (const Diagnostic& finding : findings) {
+    places.push_back(finding.place);
+  }
+  return places;
+}
+
+TEST(EditFindings, FindingsOfDeletedLayersAreGoneAndThoseAboveFollow) {
+  const std::vector<Diagnostic> all = {findingAt(-1), findingAt(2, 0, 7), findingAt(3),
+                                       findingAt(5, 1), findingAt(6, 0, 4)};
+  EXPECT_EQ(placesOf(findingsAfter(
+                all, 10, {edit("delete_layers", R"({"first_layer": 3, "last_layer": 5})")})),
+            (std::vector<Place>{{}, {{}, 2, 0, 7}, {{}, 3, 0, 4}}));
+  // Twice, the second time in the numbers that the first one left.
+  EXPECT_EQ(placesOf(findingsAfter(
+                all, 10,
+                {edit("repeat_layers", R"({"first_layer": 2, "last_layer": 3, "count": 2})"),
+                 edit("delete_layers", R"({"first_layer": 0, "last_layer": 2})")})),
+            (std::vector<Place>{{}, {{}, 0, -1, -1}, {{}, 6, 1, -1}, {{}, 7, 0, 4}}));
+  EXPECT_EQ(placesOf(findingsAfter(all, 10, {edit("delete_layers", R"({"first_layer": -10})")})),
+            std::vector<Place>{Place{}});
+}
+
+TEST(EditFindings, APlaceInsideABeadIsLeftOpenWhereTheBeadChanges) {
+  const std::vector<Diagnostic> all = {findingAt(2, 0, 7), findingAt(4, 1, 7)};
+  EXPECT_EQ(
+      placesOf(findingsAfter(all, 10, {edit("reverse", R"({"first_layer": 2, "last_layer": 2})")})),
+      (std::vector<Place>{{{}, 2, 0, -1}, {{}, 4, 1, 7}}));
+  EXPECT_EQ(placesOf(findingsAfter(
+                all, 10, {edit("pause", R"({"where": "at_length", "at": 10, "bead": 1})")})),
+            (std::vector<Place>{{{}, 2, 0, 7}, {{}, 4, -1, -1}}));
+}
+
+TEST(EditFindings, AnEditsOwnFindingsFollowTheEditsAfterIt) {
+  const Toolpath path = stack(10);
+  const JobContext context;
+  // The gap lies below layer 4 (from 0), and the next edit takes two layers below it away.
+  applyEdits(path,
+             {edit("delete_layers", R"({"first_layer": 4, "last_layer": 7})"),
+              edit("delete_layers", R"({"first_layer": 0, "last_layer": 1})")},
+             PathParams().zones(), context);
+  int gaps = 0;
+  for (const Diagnostic& finding : context.diagnostics().items()) {
+    if (finding.code == "edit.layer_gap") {
+      ++gaps;
+      EXPECT_EQ(finding.place.layer, 2);
+    }
+  }
+  EXPECT_EQ(gaps, 1);
+}
+
+TEST(EditFindings, LayersInWordsAreCountedFromOne) {
+  const JobContext context;
+  edited(stack(10), "delete_layers", R"({"first_layer": 7, "last_layer": 20})", "{}", context);
+  std::vector<std::string> messages;
+  for (const Diagnostic& finding : context.diagnostics().items()) {
+    messages.push_back(finding.message.str());
+  }
+  EXPECT_THAT(messages,
+              ::testing::Contains(HasSubstr("layers 8 to 21, of which there are 8 to 10")));
+}
+
+TEST(OutsidePlate, OfASpiralOnlyTheFirstRevolutionLiesOnThePlate) {
+  // A cone that opens upwards: only its upper revolutions lean over the border of the plate.
+  SlicedLayers sliced;
+  Contour spiral;
+  constexpr int kTurns = 40;
+  constexpr int kPerTurn = 60;
+  for (int i = 0; i <= kTurns * kPerTurn; ++i) {
+    const double turn = static_cast<double>(i) / kPerTurn;
+    const double r = 30.0 + 5.0 * turn;
+    ContourPoint point;
+    point.n = {std::cos(2.0 * kPi * turn), -std::sin(2.0 * kPi * turn), 0.0};
+    point.p = r * point.n + geometry::Vec3(0.0, 0.0, 2.0 * (turn + 1.0));
+    point.height = 2.0;
+    if (i % kPerTurn == 0 && i < kTurns * kPerTurn) {
+      spiral.turns.push_back(spiral.points.size());
+    }
+    spiral.points.push_back(point);
+  }
+  sliced.layers.push_back(layerOf(2.0, {spiral}));
+  const JobContext context;
+  buildToolpath(sliced, *test::plate(), PathParams(), context);
+  EXPECT_EQ(context.diagnostics().count("toolpath.outside_plate"), 0U);
 }
 
 }  // namespace

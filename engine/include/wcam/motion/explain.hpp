@@ -18,10 +18,12 @@ namespace wcam::motion {
 /// (part carried instead of torch carried, or the other way round; Cell::other).
 ///
 /// "Right" means reachable, inside the limits, outside the singularity margins of `params`, and
-/// free by the model (when there is one). The remedy tells the change with its figure and for how
-/// many of the points it serves, or that nothing that was tried does; data gets cure_* figures.
-/// Positions between the points, joint steps and speeds are not looked at: the next planning does
-/// that.
+/// free by the model (when there is one). The remedy is a hint: it tells the change with its figure
+/// and for how many of the points it serves, or that nothing that was tried does; data gets cure_*
+/// figures. Positions between the points, joint steps and speeds are not looked at: who plans the
+/// whole operation with the change knows. The change that a project can be given goes to data as
+/// try_* figures: rotation_deg and branch of the torch, exit_rotations, turn_deg and table_*_mm of
+/// the part on its table, other_branch in the cell's other configuration.
 ///
 /// The worst kExplained findings are explained (a sixth of them where the inverse kinematics are
 /// numeric); each costs about 1 to 30 ms.

@@ -11,6 +11,7 @@
 #include "wcam/plugin/host.hpp"
 #include "wcam/process/process.hpp"
 #include "wcam/program/program.hpp"
+#include "wcam/project/commands.hpp"
 #include "wcam/project/document.hpp"
 #include "wcam/project/stage_cache.hpp"
 #include "wcam/toolpath/build.hpp"
@@ -37,6 +38,21 @@ struct OperationResult {
   std::shared_ptr<const program::Program> program;
   process::ProcessParams process;
   std::vector<Diagnostic> findings;
+  /// Of every finding the commands that put it right, tried on the whole operation with the figures
+  /// that it tells. None: its remedy is a hint.
+  std::vector<std::vector<Command>> remedies;
+};
+
+/// An error of an operation with commands that put it right, which were tried.
+class OperationError : public Error {
+public:
+  OperationError(const Error& error, std::vector<Command> remedy);
+  ~OperationError() override;
+
+  [[nodiscard]] const std::vector<Command>& remedy() const noexcept { return remedy_; }
+
+private:
+  std::vector<Command> remedy_;
 };
 
 /// part → layers → beads → process → motion → program → files, each stage a cached pure function
@@ -80,6 +96,13 @@ public:
   [[nodiscard]] std::shared_ptr<const io::ImportedPart> importPart(const std::string& part,
                                                                    const JobContext& context) const;
 
+  /// The plate or body that is built on, which needs no operation. @param substrate its id
+  [[nodiscard]] std::shared_ptr<const toolpath::Substrate> loadSubstrate(
+      const std::string& substrate, const JobContext& context) const;
+
+  /// The cell. @throws Error(ProjectInvalid) when the project names none
+  [[nodiscard]] std::shared_ptr<const cell::Cell> loadCell(const JobContext& context) const;
+
   [[nodiscard]] const Document& document() const noexcept { return document_; }
 
   [[nodiscard]] const plugin::PluginHost& plugins() const noexcept { return *plugins_; }
@@ -92,7 +115,7 @@ private:
                   const std::function<T(const JobContext&)>& make) const;
   [[nodiscard]] Staged<io::ImportedPart> stagePart(const std::string& id,
                                                    const JobContext& context) const;
-  [[nodiscard]] Staged<toolpath::Substrate> stageSubstrate(const Operation& operation,
+  [[nodiscard]] Staged<toolpath::Substrate> stageSubstrate(const std::string& id,
                                                            const JobContext& context) const;
   [[nodiscard]] std::shared_ptr<const geometry::GuideCurve> makeGuide(
       const Guide& guide, std::string& key, const JobContext& context) const;
@@ -114,11 +137,17 @@ private:
                                               Until until,
                                               const JobContext& context) const;
   [[nodiscard]] Staged<cell::Cell> stageCell(const JobContext& context) const;
+  /// Tries the remedies of an operation's findings on the whole of it.
+  void addRemedies(const Operation& operation,
+                   OperationResult& result,
+                   const std::string& key,
+                   const JobContext& context) const;
 
   Document document_;
   std::filesystem::path project_;
   std::shared_ptr<const plugin::PluginHost> plugins_;
   std::shared_ptr<StageCache> cache_;
+  bool isTrial_ = false;  ///< of a remedy: its own remedies are not tried
 };
 
 }  // namespace wcam::project

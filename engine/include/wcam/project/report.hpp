@@ -32,6 +32,7 @@ struct WrittenFile {
 struct RunFailure {
   Text place;  ///< "operation 'elbow'", empty for the whole run
   Error error;
+  std::vector<Command> remedy = {};  ///< commands that put it right, tried; none: a hint
 };
 
 /// Version of report.json and of the tables; raised when a key changes its meaning or goes.

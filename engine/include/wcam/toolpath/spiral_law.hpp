@@ -102,7 +102,23 @@ TurnRange turnRange(double shortest, double longest, double heightMin, double he
 /// generatrix is shorter than the initiation needs: says which and how long it must be
 SpiralPlan planSpiral(const std::vector<double>& lengths, const SpiralWish& wish);
 
-/// Remedy for a plan with an excess: the range that would do for these lengths, in words.
-Text rangeThatWouldDo(const std::vector<double>& lengths, const SpiralWish& wish);
+/// A modulation range with ends as they are shown and typed: hundredths of a millimetre.
+struct SpiralRange {
+  double low = 0.0;   ///< mm
+  double high = 0.0;  ///< mm
+  friend bool operator==(const SpiralRange&, const SpiralRange&) = default;
+};
+
+/// A range whose ends are rounded outwards, so that what is shown holds what was meant.
+SpiralRange roundedOutwards(double low, double high);
+
+/// Remedy for a plan with an excess: the narrowest range about the mean deposit, in steps of about
+/// a percent, with which planSpiral keeps these lengths. Tried, with its ends as they are shown.
+/// Nothing when there is none.
+std::optional<SpiralRange> rangeThatWouldDo(const std::vector<double>& lengths,
+                                            const SpiralWish& wish);
+
+/// "1.58 to 2.42 mm".
+Text rangeText(const SpiralRange& range);
 
 }  // namespace wcam::toolpath
