@@ -51,6 +51,9 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
       for (const Diagnostic& d : shown->path->result().findings) {
         ++counts[static_cast<int>(d.severity)];
       }
+      for (const Diagnostic& d : shown->outputFindings) {
+        ++counts[static_cast<int>(d.severity)];
+      }
       badge.status = counts[2] > 0 ? Status::Error : counts[1] > 0 ? Status::Warning : Status::Ok;
       badge.tip = tr("%n layer(s)", nullptr, shown->path->layerCount()) + "\n" +
                   tr("%1 violations, %2 warnings").arg(counts[2]).arg(counts[1]);
@@ -142,6 +145,9 @@ std::vector<FindingRow> MainWindow::findingRows() const {
   for (const GeneratedOperation& operation : results.operations) {
     if (operation.path) {
       for (const Diagnostic& finding : operation.path->result().findings) {
+        rows.push_back(rowOf(finding));
+      }
+      for (const Diagnostic& finding : operation.outputFindings) {
         rows.push_back(rowOf(finding));
       }
     }

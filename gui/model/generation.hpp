@@ -28,6 +28,7 @@ struct GeneratedOperation {
   std::string id;
   std::shared_ptr<const PathModel> path;
   std::shared_ptr<const viewport::PreparedMesh> substrate;
+  std::vector<Diagnostic> outputFindings;  ///< of the post-processors that would print it
   std::optional<Error> error;
 };
 
