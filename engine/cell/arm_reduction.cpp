@@ -73,12 +73,19 @@ double signOf(double value) {
   return value < 0.0 ? -1.0 : 1.0;
 }
 
-/// Base frame of the canonical form: z = axis 1, y = along axis 2, origin at the height of axis 2.
-/// Of the two senses of y the one that puts axis 2 (or, where it meets axis 1, the wrist centre at
-/// zero values) before axis 1, so that "front" and "up" mean the same for every brand.
+/// Sense of axis 1 that points upwards in the base frame: makes draw their tables with axis 1 up or
+/// down, and the elbow stands above or below all the same.
+double upwards(const ChainAxes& axes) {
+  return signOf(axes.directions[0].z() + kAngleTolerance);
+}
+
+/// Base frame of the canonical form: z = axis 1 upwards, y = along axis 2, origin at the height of
+/// axis 2. Of the two senses of y the one that puts axis 2 (or, where it meets axis 1, the wrist
+/// centre at zero values) before axis 1, so that "front" and "up" mean the same for every brand.
 Pose canonicalBase(const ChainAxes& axes, const Vec3& centre) {
   const auto& p = axes.points;
-  const auto& z = axes.directions;
+  std::vector<Vec3> z = axes.directions;
+  z[0] *= upwards(axes);
   requireAngle(z[0].dot(z[1]), "axes 1 and 2 are not perpendicular");
   requireAngle(sineBetween(z[1], z[2]), "axes 2 and 3 are not parallel");
   requireAngle(z[2].dot(z[3]), "axes 3 and 4 are not perpendicular");
@@ -128,6 +135,7 @@ void reduceArmPart(const ChainAxes& axes, const Vec3& centre, Arm& arm, Signs& s
     fail("the wrist centre lies on axis 3", std::hypot(arm.r4, arm.d4), "mm");
   }
   const Vec3 y = arm.T_base_canonical.linear().col(1);
+  signs.sign(0) = upwards(axes);
   signs.sign(1) = signOf(y.dot(axes.directions[1]));
   signs.sign(2) = signOf(y.dot(axes.directions[2]));
   signs.atZero(1) = std::atan2(upperX, upperZ);

@@ -62,8 +62,10 @@ void readRobot(Reader& reader, const Value& file, Cell& cell) {
   }
   reader.knownKeys(
       *robot, "robot",
-      {"name", "T_world_base", "joints", "T_last_flange", "zero_conventions", "collision"});
+      {"name", "controller", "T_world_base", "joints", "T_last_flange", "zero_conventions",
+       "collision"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
+  (void)reader.text(*robot, "robot", "controller", false);  // controllerOf() reads it
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);
   cell.robot.T_last_tip = reader.pose(*robot, "robot", "T_last_flange", false);
   readJoints(reader, *robot, "robot", cell.robot);

@@ -100,11 +100,6 @@ void tellFigures(const Console& console, const Value& report) {
   }
 }
 
-bool violates(const project::OperationResult& operation) {
-  return std::any_of(operation.findings.begin(), operation.findings.end(),
-                     [](const Diagnostic& d) { return d.severity == Severity::Violation; });
-}
-
 void tellFiles(const Console& console,
                const project::RunResult& result,
                const std::filesystem::path& folder) {
@@ -164,11 +159,12 @@ void tell(const Session& session,
     all.insert(all.end(), operation.findings.begin(), operation.findings.end());
   }
   console.findings(all);
-  for (const project::OperationResult& operation : result.operations) {
-    if (violates(operation)) {
-      console.complain("camcli: error: operation '" + operation.id +
-                       "' violates checks and gets no robot program");
-    }
+  for (const project::KeptBack& kept : result.keptBack) {
+    console.complain(kept.output.empty()
+                         ? "camcli: error: operation '" + kept.operation +
+                               "' violates checks and gets no robot program"
+                         : "camcli: error: output '" + kept.output + "' of operation '" +
+                               kept.operation + "' violates checks and is not written");
   }
   if (result.written) {
     tellFiles(console, result, folder);

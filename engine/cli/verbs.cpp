@@ -13,6 +13,7 @@
 #include "wcam/process/process.hpp"
 #include "wcam/project/commands.hpp"
 #include "wcam/project/history.hpp"
+#include "wcam/project/new_outputs.hpp"
 #include "wcam/project/project_file.hpp"
 #include "wcam/toolpath/build.hpp"
 #include "wcam/toolpath/edits.hpp"
@@ -76,7 +77,10 @@ std::string planCopy(const std::filesystem::path& source,
   return source.filename().native();
 }
 
-Value projectTemplate(const std::string& name, const std::string& part, const std::string& cell) {
+Value projectTemplate(const std::string& name,
+                      const std::string& part,
+                      const std::string& cell,
+                      const Value& outputs) {
   const auto fileRef = [](const std::string& path) {
     return Value::object({{"path", path}, {"sha256", ""}});
   };
@@ -100,12 +104,11 @@ Value projectTemplate(const std::string& name, const std::string& part, const st
   const Value plate = Value::object(
       {{"id", "plate"}, {"type", "plate"}, {"size_mm", Value(Value::Array{300.0, 300.0, 10.0})}});
   const Value wire = Value::object({{"id", "wire"}, {"params", Value::object()}});
-  const Value fanuc = Value::object({{"id", "fanuc"}, {"post", "wcam.post.fanuc"}});
   return tree.set("parts", parts)
       .set("substrates", Value(Value::Array{plate}))
       .set("processes", Value(Value::Array{wire}))
       .set("operations", operations)
-      .set("outputs", Value(Value::Array{fanuc}));
+      .set("outputs", outputs);
 }
 
 /// Schemas of the engine's own sections, beside those of the plugins' components.
@@ -156,7 +159,11 @@ int newVerb(const Session& session) {
   }
   const std::string name = options.name.empty() ? file.stem().native() : options.name;
   project::Document document =
-      project::Document::parse(projectTemplate(name, part, cell), pathText(file));
+      project::Document::parse(
+          projectTemplate(
+              name, part, cell,
+              project::newOutputs(*session.plugins, project::resolvePath(file, {cell, ""}))),
+          pathText(file));
   document = project::apply(document, project::pinCommand(document, file));
   project::saveProject(document, file);
   session.console.say("made " + pathText(file));

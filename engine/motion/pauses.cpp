@@ -35,7 +35,12 @@ bool hasPauses(const toolpath::Toolpath& path) noexcept {
   });
 }
 
-PlannedMotion withPauses(PlannedMotion planned, const toolpath::Toolpath& path) {
+namespace {
+
+/// Makes everything behind a waypoint later by the seconds that the torch stands there.
+/// @param stands seconds at a waypoint, by its index
+template <class Stands>
+double delay(PlannedMotion& planned, const Stands& stands) {
   std::vector<Waypoint>& points = planned.motion.waypoints;
   double waited = 0.0;
   std::size_t reversal = 0;
@@ -45,9 +50,20 @@ PlannedMotion withPauses(PlannedMotion planned, const toolpath::Toolpath& path) 
     for (; reversal < reversals.size() && reversals[reversal].waypoint <= i; ++reversal) {
       reversals[reversal].time += waited;
     }
+    waited += stands(i);
+  }
+  planned.statistics.totalTime += waited;
+  return waited;
+}
+
+}  // namespace
+
+PlannedMotion withPauses(PlannedMotion planned, const toolpath::Toolpath& path) {
+  std::vector<Waypoint>& points = planned.motion.waypoints;
+  delay(planned, [&](std::size_t i) {
     const toolpath::Bead* bead = beadOf(path, points[i]);
     if (bead == nullptr) {
-      continue;
+      return 0.0;
     }
     points[i].pause = 0.0;
     if (i == 0 || !sameBead(points[i - 1], points[i])) {
@@ -56,9 +72,17 @@ PlannedMotion withPauses(PlannedMotion planned, const toolpath::Toolpath& path) 
     if (i + 1 == points.size() || !sameBead(points[i], points[i + 1])) {
       points[i].pause += bead->pauseAfter;
     }
-    waited += points[i].pause;
-  }
-  planned.statistics.totalTime += waited;
+    return points[i].pause;
+  });
+  return planned;
+}
+
+PlannedMotion withCraters(PlannedMotion planned, double seconds) {
+  const std::vector<Waypoint>& points = planned.motion.waypoints;
+  planned.statistics.arcTime += delay(planned, [&](std::size_t i) {
+    const bool ends = points[i].arc && (i + 1 == points.size() || !points[i + 1].arc);
+    return ends ? seconds : 0.0;
+  });
   return planned;
 }
 

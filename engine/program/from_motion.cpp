@@ -3,8 +3,10 @@
 
 #include "wcam/program/from_motion.hpp"
 
+#include "wcam/cell/controller.hpp"
 #include "wcam/cell/inverse.hpp"
 #include "wcam/cell/kinematics.hpp"
+#include "wcam/cell/unwrap.hpp"
 
 #include <optional>
 
@@ -48,6 +50,9 @@ private:
 CellFacts factsOf(const cell::Cell& cell) {
   CellFacts facts;
   facts.cellName = cell.name;
+  facts.robotName = cell.robotName;
+  facts.torchName = cell.torchName;
+  facts.controller = cell::controllerOf(cell.source);
   facts.robotJoints = cell.robotJoints();
   facts.positionerJoints = cell.positionerJoints();
   facts.partCarried = cell.partCarried();
@@ -56,10 +61,14 @@ CellFacts factsOf(const cell::Cell& cell) {
     facts.linearJoint.push_back(cell.joint(j).prismatic());
     facts.jointSpeeds.push_back(cell.joint(j).maxSpeed);
   }
-  facts.T_flange_tcp = cell.T_flange_tcp;
-  facts.T_base_positioner = cell.partCarried()
-                                ? Pose::Identity()
-                                : cell::T_base_table(cell, JointVector::Zero(cell.jointCount()));
+  if (cell.partCarried()) {
+    facts.T_flange_table = cell.T_flange_table;
+    facts.T_base_tcp = cell.T_base_tcp;
+  } else {
+    facts.T_flange_tcp = cell.T_flange_tcp;
+    facts.T_base_root = cell.positioner.T_root_first;
+    facts.T_base_table = cell::T_base_table(cell, JointVector::Zero(cell.jointCount()));
+  }
   return facts;
 }
 
@@ -85,6 +94,9 @@ public:
       put(BeadBegin{layer_, bead_}, {layer_, bead_, -1});
     }
     move(point, origin, point.arc != arcAfter || point.pause > 0.0);
+    if (arcOn_ && arcAfter) {
+      inBead(point);
+    }
     if (point.pause > 0.0) {
       put(Wait{point.pause}, origin);
     }
@@ -97,6 +109,7 @@ public:
       put(ArcOn{arc_.job}, origin);
       arcOn_ = true;
     } else if (arcOn_ && !arcAfter) {
+      beadEnds();
       put(ArcOff{arc_.craterTime}, origin);
       arcOn_ = false;
       endBead();
@@ -127,9 +140,63 @@ private:
     }
   }
 
-  void move(const motion::Waypoint& point, const Origin& origin, bool stop) {
+  /// Target of joint values, without a configuration.
+  [[nodiscard]] Target targetOf(const JointVector& joints) const {
     Target target;
-    target.joints = point.joints;
+    target.joints = joints;
+    target.T_base_tcp = cell::T_base_tcp(cell_, joints);
+    target.T_table_tcp = cell::T_base_table(cell_, joints).inverse() * target.T_base_tcp;
+    return target;
+  }
+
+  /// Remembers a place for a cut at regular intervals.
+  void inBead(const motion::Waypoint& point) {
+    constexpr std::size_t kInterval = 100;
+    if (++inBead_ % kInterval == 0) {
+      if (auto above = liftedFrom(point.joints)) {
+        lifts_.push_back({program_.instructions.size() - 1, std::move(*above), arc_.liftSpeed,
+                          arc_.jointSpeedRatio});
+      }
+    }
+  }
+
+  /// Short beads are never cut.
+  void beadEnds() {
+    constexpr std::size_t kLongBead = 1000;
+    if (inBead_ > kLongBead) {
+      program_.lifts.insert(program_.lifts.end(), lifts_.begin(), lifts_.end());
+    }
+    lifts_.clear();
+    inBead_ = 0;
+  }
+
+  /// The same posture with the torch lifted off along its axis; none where the robot cannot.
+  [[nodiscard]] std::optional<Target> liftedFrom(const JointVector& joints) const {
+    const Pose T_table_tcp =
+        cell::T_base_table(cell_, joints).inverse() * cell::T_base_tcp(cell_, joints);
+    const Pose lifted =
+        T_table_tcp * Pose(Eigen::Translation3d(0.0, 0.0, arc_.liftHeight));
+    const Pose T_base_flange =
+        cell_.partCarried()
+            ? Pose(cell_.T_base_tcp * lifted.inverse() * cell_.T_flange_table.inverse())
+            : Pose(cell::T_base_table(cell_, joints) * lifted * cell_.T_flange_tcp.inverse());
+    const cell::InverseSolution found = cell_.inverse->solve(
+        T_base_flange, cell_.inverse->branchOf(joints.data()), joints.data());
+    if (!found.reachable) {
+      return std::nullopt;
+    }
+    JointVector above = joints;
+    for (int j = 0; j < cell_.robotJoints(); ++j) {
+      above(j) = cell::turnInLimits(cell_.joint(j), found.joints(j), joints(j));
+      if (cell::limitExcess(cell_.joint(j), above(j)) > 0.0) {
+        return std::nullopt;
+      }
+    }
+    return targetOf(above);
+  }
+
+  void move(const motion::Waypoint& point, const Origin& origin, bool stop) {
+    Target target = targetOf(point.joints);
     const std::string configuration = configurations_.of(point.joints);
     if (configuration_.empty() && !configuration.empty()) {
       program_.cell.configuration = configuration;  // the first move
@@ -137,9 +204,6 @@ private:
       target.configuration = configuration;
     }
     configuration_ = configuration;
-    const Pose T_base_table = cell::T_base_table(cell_, point.joints);
-    target.T_base_tcp = cell::T_base_tcp(cell_, point.joints);
-    target.T_table_tcp = T_base_table.inverse() * target.T_base_tcp;
     if (point.kind == motion::MoveKind::Joint) {
       put(MoveJoint{target, arc_.jointSpeedRatio, stop}, origin);
     } else {
@@ -156,6 +220,8 @@ private:
   int bead_ = -1;
   bool arcOn_ = false;
   double wireSpeed_ = -1.0;
+  std::size_t inBead_ = 0;    ///< moves of the open bead so far
+  std::vector<Lift> lifts_;   ///< of the open bead
 };
 
 }  // namespace
@@ -170,6 +236,7 @@ Program programFromMotion(const motion::PlannedMotion& planned,
   program.name = operation;
   program.projectName = projectName;
   program.cell = factsOf(cell);
+  program.process = {arc.wireDiameter, arc.wireSpeed, arc.job};
   const motion::Motion& motion = planned.motion;
   Builder builder(program, cell, arc);
   constexpr std::size_t kCheckEvery = 4096;

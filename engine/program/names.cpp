@@ -7,6 +7,8 @@
 #include "wcam/base/sha256.hpp"
 #include "wcam/base/text.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -77,9 +79,22 @@ std::string controllerName(std::string_view text,
   return name;
 }
 
-std::vector<std::string> partNames(std::string_view text,
+bool isReserved(std::string_view name, const NameRules& rules) {
+  constexpr std::array<std::string_view, 4> kDevices = {"CON", "PRN", "AUX", "NUL"};
+  constexpr std::size_t kPortLength = 4;  // COM1, LPT1
+  const bool port = name.size() == kPortLength && isDigit(name.back()) &&
+                    (name.starts_with("COM") || name.starts_with("LPT"));
+  return port || std::find(kDevices.begin(), kDevices.end(), name) != kDevices.end() ||
+         std::find(rules.reserved.begin(), rules.reserved.end(), name) != rules.reserved.end();
+}
+
+std::vector<std::string> partNames(std::string_view wanted,
                                    std::size_t parts,
-                                   std::size_t maxLength) {
+                                   const NameRules& rules) {
+  const std::size_t maxLength = rules.longest;
+  const std::string text = isReserved(controllerName(wanted, maxLength), rules)
+                               ? "P_" + std::string(wanted)
+                               : std::string(wanted);
   const std::size_t width = std::to_string(parts).size();
   if (maxLength < kShortestName + width + 1) {
     throw Error(ErrorCode::InvalidArgument,

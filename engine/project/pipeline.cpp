@@ -30,9 +30,9 @@ constexpr int kSliceVersion = 4;
 constexpr int kPathVersion = 2;
 constexpr int kEditsVersion = 2;
 constexpr int kProcessVersion = 1;
-constexpr int kCellVersion = 2;
-constexpr int kMotionVersion = 4;
-constexpr int kProgramVersion = 1;
+constexpr int kCellVersion = 3;
+constexpr int kMotionVersion = 5;
+constexpr int kProgramVersion = 2;
 constexpr int kRemediesVersion = 1;
 
 std::string placementText(const Placement& placement) {
@@ -165,6 +165,50 @@ OperationError::OperationError(const Error& error, std::vector<Command> remedy)
     : Error(error), remedy_(std::move(remedy)) {}
 
 OperationError::~OperationError() = default;
+
+namespace {
+
+/// Joint values, frames and configurations of one make mean something else on another.
+void checkController(const plugin::ComponentInfo& post,
+                     const Value& params,
+                     const program::Program& program,
+                     const JobContext& context) {
+  const std::string& controller = program.cell.controller;
+  if (post.controllers.empty() ||
+      std::find(post.controllers.begin(), post.controllers.end(), controller) !=
+          post.controllers.end()) {
+    return;
+  }
+  const std::string makes = joinText(post.controllers, ", ");
+  if (controller.empty()) {
+    context.add({Severity::Information,
+                 "post.controller_unknown",
+                 text("the cell does not name its controller; the program is written for %1", {makes}),
+                 "name it in the cell file (robot.controller)",
+                 {program.name},
+                 {}});
+    return;
+  }
+  const Value* other = params.find(plugin::kOtherController);
+  if (other == nullptr || !other->isBool() || !other->asBool()) {
+    throw Error(ErrorCode::JobFailed,
+                text("the controller of the cell is %1, this post-processor writes for %2",
+                     {controller, makes}),
+                program.name,
+                text("take the post-processor of the controller; %1=true writes the program all the "
+                     "same",
+                     {std::string(plugin::kOtherController)}));
+  }
+  context.add({Severity::Warning,
+               "post.other_controller",
+               text("the controller of the cell is %1, the program is written for %2",
+                    {controller, makes}),
+               "check every joint value and frame before it runs",
+               {program.name},
+               {}});
+}
+
+}  // namespace
 
 Pipeline::Pipeline(Document document,
                    std::filesystem::path project,
@@ -606,6 +650,8 @@ OperationResult Pipeline::computeStages(const Operation& operation,
         if (motion::hasPauses(built)) {
           checked.planned = motion::withPauses(std::move(checked.planned), built);
         }
+        checked.planned = motion::withCraters(std::move(checked.planned),
+                                              result.process.craterTime.value());
         return checked;
       });
   collectFrom(motion);
@@ -624,8 +670,15 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   const auto program = stage<program::Program>(
       "program", std::move(programKey), context.portion(0.95, 1.0, "program"),
       [&](const JobContext& own) {
-        const program::ArcSettings arc{result.process.job, result.process.craterTime.value(),
-                                       motionParams.jointSpeedRatio};
+        program::ArcSettings arc;
+        arc.job = result.process.job;
+        arc.craterTime = result.process.craterTime.value();
+        arc.jointSpeedRatio = motionParams.jointSpeedRatio;
+        arc.wireDiameter = result.process.wireDiameter.value();
+        arc.wireSpeed = result.process.wireSpeed.value();
+        arc.liftHeight =
+            std::max(motionParams.approachHeight.value(), motionParams.safeHeight.value());
+        arc.liftSpeed = motionParams.travelSpeed.value();
         return program::programFromMotion(motion.value->planned, *cell.value, arc, operation.id,
                                           document_.project().name, own);
       });
@@ -688,8 +741,9 @@ std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
                                                const JobContext& context) const {
   const auto post = plugins_->findPost(output.post);
   try {
-    return post->post->post(*result.program, post->info.params.complete(output.params, "params"),
-                            context);
+    const Value params = post->info.params.complete(output.params, "params");
+    checkController(post->info, params, *result.program, context);
+    return post->post->post(*result.program, params, context);
   } catch (const Error& error) {
     rethrowIn(error, text("output '%1', operation '%2'", {output.id, result.id}));
   }

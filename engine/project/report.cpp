@@ -145,16 +145,42 @@ void addPath(Value& report, const OperationResult& result) {
       .set("overhang_deg", overhang.toValue());
 }
 
+/// Length of wire that the program feeds while the torch moves along beads, in the times that the
+/// robot needs, mm. What a crater takes is the source's own: its time counts, its wire does not.
+double wireFed(const motion::Motion& motion) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < motion.waypoints.size(); ++i) {
+    const motion::Waypoint& before = motion.waypoints[i - 1];
+    const motion::Waypoint& point = motion.waypoints[i];
+    if (point.arc) {
+      length += point.wireSpeed * (point.time - before.time - before.pause);
+    }
+  }
+  return length;
+}
+
+std::size_t arcStarts(const program::Program& program) {
+  return static_cast<std::size_t>(
+      std::count_if(program.instructions.begin(), program.instructions.end(),
+                    [](const program::Instruction& instruction) {
+                      return std::holds_alternative<program::ArcOn>(instruction.action);
+                    }));
+}
+
 void addProcess(Value& report, const OperationResult& result) {
   const process::ProcessStatistics s = process::processStatistics(*result.path, result.process);
   constexpr double kMmPerM = 1000.0;
+  constexpr double kMm3PerCm3 = 1000.0;
+  const double wire = wireFed(result.motion->motion);
+  const double radius = 0.5 * result.process.wireDiameter.value();
+  const double volume = wire * kPi * radius * radius;
   report.set("length_mm", s.length)
-      .set("deposited_volume_mm3", s.wireVolume)
+      .set("deposited_volume_mm3", volume)
       .set("wanted_volume_mm3", s.wantedVolume)
-      .set("wire_length_m", s.wireLength / kMmPerM)
-      .set("mass_g", s.mass)
+      .set("wire_length_m", wire / kMmPerM)
+      .set("mass_g", volume / kMm3PerCm3 * result.process.density)
       .set("clamped_points", s.clampedPoints)
-      .set("arc_time_s", s.time);
+      .set("arc_time_s", result.motion->statistics.arcTime);
 }
 
 /// Length of the moves between the beads, point to point.
@@ -258,7 +284,7 @@ Value operationReport(const OperationResult& result) {
   report.set("layers", result.path->layers.size())
       .set("beads", result.path->beadCount())
       .set("points", result.path->pointCount());
-  report.set("arc_starts", result.path->beadCount()).set("features", featureCounts(*result.path));
+  report.set("arc_starts", arcStarts(*result.program)).set("features", featureCounts(*result.path));
   addProcess(report, result);
   addPath(report, result);
   addMotion(report, result);

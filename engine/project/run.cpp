@@ -155,8 +155,8 @@ std::vector<Output> requestedOutputs(const Pipeline& pipeline, const RunRequest&
   return outputs;
 }
 
-bool hasViolation(const OperationResult& result) {
-  return std::any_of(result.findings.begin(), result.findings.end(),
+bool hasViolation(const std::vector<Diagnostic>& findings) {
+  return std::any_of(findings.begin(), findings.end(),
                      [](const Diagnostic& d) { return d.severity == Severity::Violation; });
 }
 
@@ -188,27 +188,38 @@ void printOutputs(const Pipeline& pipeline,
                   const JobContext& context,
                   RunResult& result,
                   std::vector<PendingFile>& pending) {
+  // The findings of one output do not keep back the others.
+  std::vector<std::vector<Diagnostic>> found(result.operations.size());
+  for (const OperationResult& operation : result.operations) {
+    if (hasViolation(operation.findings)) {
+      result.keptBack.push_back({operation.id, {}});
+    }
+  }
   for (const Output& output : outputs) {
-    for (const OperationResult& operation : result.operations) {
-      const bool wanted =
-          output.operations.empty() || std::find(output.operations.begin(), output.operations.end(),
-                                                 operation.id) != output.operations.end();
-      if (!wanted || hasViolation(operation)) {
+    for (std::size_t i = 0; i < result.operations.size(); ++i) {
+      const OperationResult& operation = result.operations[i];
+      if (!prints(output, operation.id) || hasViolation(operation.findings)) {
         continue;
       }
-      context.check();
-      try {
-        for (plugin::OutputFile& file : pipeline.post(output, operation, context)) {
-          WrittenFile written{output.id, operation.id, joinedPath(output.folder, file.name),
-                              file.content.size()};
-          pending.push_back({std::move(written), std::move(file.content)});
-        }
-      } catch (const CancelledError&) {
-        throw;
-      } catch (const Error& error) {
-        result.failures.push_back({text("output '%1'", {output.id}), error});
+      PrintedOutput printed = printOutput(pipeline, output, operation, context);
+      for (plugin::OutputFile& file : printed.files) {
+        WrittenFile written{output.id, operation.id, joinedPath(output.folder, file.name),
+                            file.content.size()};
+        pending.push_back({std::move(written), std::move(file.content)});
       }
+      if (printed.error) {
+        result.failures.push_back({text("output '%1'", {output.id}), *printed.error});
+      }
+      if (hasViolation(printed.findings)) {
+        result.keptBack.push_back({operation.id, output.id});
+      }
+      found[i].insert(found[i].end(), printed.findings.begin(), printed.findings.end());
     }
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    std::vector<Diagnostic>& findings = result.operations[i].findings;
+    findings.insert(findings.end(), found[i].begin(), found[i].end());
+    result.violations += hasViolation(findings) ? 1U : 0U;
   }
 }
 
@@ -267,7 +278,6 @@ void computeAll(const Pipeline& pipeline,
     try {
       result.operations.push_back(pipeline.compute(
           ids[i], context.portion(before / count, (before + 1.0) / count, ids[i])));
-      result.violations += hasViolation(result.operations.back()) ? 1U : 0U;
     } catch (const CancelledError&) {
       throw;
     } catch (const OperationError& error) {
@@ -279,6 +289,37 @@ void computeAll(const Pipeline& pipeline,
 }
 
 }  // namespace
+
+bool prints(const Output& output, const std::string& operation) {
+  return output.operations.empty() ||
+         std::find(output.operations.begin(), output.operations.end(), operation) !=
+             output.operations.end();
+}
+
+PrintedOutput printOutput(const Pipeline& pipeline,
+                          const Output& output,
+                          const OperationResult& operation,
+                          const JobContext& context) {
+  context.check();
+  PrintedOutput printed;
+  const JobContext own = context.withOwnDiagnostics();
+  try {
+    printed.files = pipeline.post(output, operation, own);
+  } catch (const CancelledError&) {
+    throw;
+  } catch (const Error& error) {
+    printed.error = error;
+  }
+  for (Diagnostic& finding : own.diagnostics().items()) {
+    finding.place.operation = operation.id;
+    finding.message = text("output '%1': %2", {output.id, finding.message});
+    printed.findings.push_back(std::move(finding));
+  }
+  if (hasViolation(printed.findings)) {
+    printed.files.clear();
+  }
+  return printed;
+}
 
 int RunResult::exitCode() const {
   if (!failures.empty()) {
@@ -325,6 +366,15 @@ RunResult runProject(const Pipeline& pipeline,
   }
   result.report = projectReport(pipeline.document(), result.operations, result.files,
                                 result.projectFindings, result.failures);
+  Value keptBack = Value::array();
+  for (const KeptBack& kept : result.keptBack) {
+    Value entry = Value::object({{"operation", kept.operation}});
+    if (!kept.output.empty()) {
+      entry.set("output", kept.output);
+    }
+    keptBack.push(entry);
+  }
+  result.report.set("kept_back", keptBack);
   context.check();
   result.written = !request.checkOnly && !result.operations.empty();
   if (result.written) {

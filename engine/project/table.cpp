@@ -107,7 +107,9 @@ std::string operationTable(const OperationResult& result) {
         row.fixed(point.height, kFigureDecimals);
         row.fixed(point.width, kFigureDecimals);
         row.fixed(point.speed, kFigureDecimals);
-        row.fixed(toFileUnit(QuantityKind::WireSpeed, point.wireSpeed), kFigureDecimals);
+        // The motion may let the wire follow the speed.
+        const double wire = waypoint != nullptr && i > 0 ? waypoint->wireSpeed : point.wireSpeed;
+        row.fixed(toFileUnit(QuantityKind::WireSpeed, wire), kFigureDecimals);
         row.integer(i > 0 && point.arc ? 1 : 0);
         row.fixed(waypoint != nullptr ? waypoint->time : 0.0, kFigureDecimals);
         row.fixed(waypoint != nullptr ? waypoint->tcpSpeed : 0.0, kFigureDecimals);

@@ -7,6 +7,8 @@
 #include "wcam/base/text.hpp"
 #include "wcam/io/import.hpp"
 #include "wcam/plugin/locations.hpp"
+#include "wcam/project/new_outputs.hpp"
+#include "wcam/project/project_file.hpp"
 
 #include "node_form.hpp"
 #include "strategy_pictures.hpp"
@@ -131,7 +133,7 @@ NewDialog::NewDialog(QWidget* parent) : QDialog(parent) {
   resize(440, 380);
 }
 
-project::Document NewDialog::document() const {
+project::Document NewDialog::document(const plugin::PluginHost& plugins) const {
   const QString file = templates_->currentItem()->data(Qt::UserRole).toString();
   if (file.isEmpty()) {
     const std::string cell = utf8(cell_->currentData().toString());
@@ -147,7 +149,8 @@ project::Document NewDialog::document() const {
              Value(Value::Array{Value::object({{"id", "wire"}, {"params", Value::object()}})}));
     tree.set("operations", Value::array());
     tree.set("outputs",
-             Value(Value::Array{Value::object({{"id", "fanuc"}, {"post", "wcam.post.fanuc"}})}));
+             project::newOutputs(plugins, cell.empty() ? std::filesystem::path()
+                                                       : project::resolvePath({}, {cell, ""})));
     return project::Document::parse(tree);
   }
   // The files of the example are named in full until the project is saved.

@@ -29,8 +29,9 @@ class NewDialog : public QDialog {
 
 public:
   explicit NewDialog(QWidget* parent = nullptr);
+  /// With the post-processor of the chosen cell's controller.
   /// @throws Error for a template that cannot be read
-  [[nodiscard]] project::Document document() const;
+  [[nodiscard]] project::Document document(const plugin::PluginHost& plugins) const;
 
 private:
   QListWidget* templates_;

@@ -176,16 +176,14 @@ void ExportDialog::show(const project::RunResult& result) {
   for (const project::RunFailure& failure : result.failures) {
     html += "<p>" + red(errorText(failure.error)) + "</p>";
   }
-  for (const project::OperationResult& operation : result.operations) {
-    const bool violates =
-        std::any_of(operation.findings.begin(), operation.findings.end(),
-                    [](const Diagnostic& d) { return d.severity == Severity::Violation; });
-    if (violates) {
-      html += "<p>" +
-              red(tr("Operation '%1' violates checks and gets no robot program.")
-                      .arg(qt(operation.id))) +
-              "</p>";
-    }
+  for (const project::KeptBack& kept : result.keptBack) {
+    html += "<p>" +
+            red(kept.output.empty()
+                    ? tr("Operation '%1' violates checks and gets no robot program.")
+                          .arg(qt(kept.operation))
+                    : tr("Output '%1' of operation '%2' violates checks and is not written.")
+                          .arg(qt(kept.output), qt(kept.operation))) +
+            "</p>";
   }
   if (result.exitCode() == 0) {
     html += "<p><b>" +

@@ -171,7 +171,7 @@ void MainWindow::newProject() {
     return;
   }
   try {
-    session_->create(dialog.document());
+    session_->create(dialog.document(session_->plugins()));
     state_.setColour(Quantity::Layer);
     hideNotice();
   } catch (const Error& error) {

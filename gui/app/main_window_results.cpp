@@ -53,6 +53,9 @@ std::map<NodeRef, Badge> MainWindow::badges() const {
       for (const Diagnostic& d : shown->path->result().findings) {
         ++counts[static_cast<int>(d.severity)];
       }
+      for (const Diagnostic& d : shown->outputFindings) {
+        ++counts[static_cast<int>(d.severity)];
+      }
       badge.status = counts[2] > 0 ? Status::Error : counts[1] > 0 ? Status::Warning : Status::Ok;
       badge.tip = tr("%n layer(s)", nullptr, shown->path->layerCount()) + "\n" +
                   tr("%1 violations, %2 warnings").arg(counts[2]).arg(counts[1]);
@@ -159,6 +162,9 @@ std::vector<FindingRow> MainWindow::findingRows() const {
         if (i < result.remedies.size()) {
           rows.back().apply = result.remedies[i];
         }
+      }
+      for (const Diagnostic& finding : operation.outputFindings) {
+        rows.push_back(rowOf(finding));
       }
     }
   }

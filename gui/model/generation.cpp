@@ -5,6 +5,7 @@
 
 #include "wcam/project/commands.hpp"
 #include "wcam/project/project_file.hpp"
+#include "wcam/project/run.hpp"
 
 #include "shapes.hpp"
 
@@ -43,6 +44,37 @@ std::optional<Error> errorOf(const Step& step, std::vector<project::Command>* re
 bool sameResult(const project::OperationResult& a, const project::OperationResult& b) {
   return a.path == b.path && a.motion == b.motion && a.program == b.program && a.cell == b.cell &&
          a.substrate == b.substrate && a.findings.size() == b.findings.size();
+}
+
+}  // namespace
+
+namespace {
+
+/// What the outputs say of an operation; a failing one is a violation.
+std::vector<Diagnostic> outputFindings(const project::Pipeline& pipeline,
+                                       const project::OperationResult& operation,
+                                       const JobContext& context) {
+  std::vector<Diagnostic> findings;
+  for (const project::Output& output : pipeline.document().project().outputs) {
+    if (!project::prints(output, operation.id)) {
+      continue;
+    }
+    project::PrintedOutput printed;
+    if (const auto missing = errorOf(
+            [&] { printed = project::printOutput(pipeline, output, operation, context); })) {
+      printed.error = missing;
+    }
+    findings.insert(findings.end(), printed.findings.begin(), printed.findings.end());
+    if (printed.error) {
+      findings.push_back({Severity::Violation,
+                          "post.failed",
+                          text("output '%1': %2", {output.id, printed.error->messageText()}),
+                          printed.error->hintText(),
+                          {operation.id},
+                          {}});
+    }
+  }
+  return findings;
 }
 
 }  // namespace
@@ -165,6 +197,7 @@ Generated generate(const project::Pipeline& pipeline,
             project::OperationResult computed =
                 pipeline.compute(shown.id, context.portion(0.5 * (begin + end), end, shown.id));
             context.check();
+            shown.outputFindings = outputFindings(pipeline, computed, context);
             take(std::move(computed));
           },
           &shown.remedy);

@@ -35,6 +35,7 @@ struct GeneratedOperation {
   std::string id;
   std::shared_ptr<const PathModel> path;
   std::shared_ptr<const viewport::PreparedMesh> substrate;
+  std::vector<Diagnostic> outputFindings;  ///< of the post-processors that would print it
   std::optional<Error> error;
   std::vector<project::Command> remedy;  ///< of the error; none: its hint is only one
   bool outdated = false;  ///< the path is the last one that there was: the present one fails

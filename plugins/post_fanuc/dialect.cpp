@@ -37,12 +37,20 @@ void addOutput(Schema<Dialect>& schema) {
            {.key = "max_points",
             .label = "Points per program",
             .help = "A longer operation is cut between beads into programs that a main program "
-                    "calls. Line numbers above 9999 need five digits; choose a smaller number for "
-                    "controllers that do not read them.",
+                    "calls; each of them can be started alone.",
             .group = "Output",
             .level = ParamLevel::Advanced,
-            .min = 2,
+            .min = 10,
             .max = 15000})
+      .add(&Dialect::maxLines,
+           {.key = "max_lines",
+            .label = "Lines per program",
+            .help = "As the points. Line numbers above 9999 need five digits, which many "
+                    "controllers do not read. 0: no limit.",
+            .group = "Output",
+            .level = ParamLevel::Advanced,
+            .min = 0,
+            .max = 99999})
       .add(&Dialect::programName, {.key = "program_name",
                                    .label = "Program name",
                                    .help = "Empty: the name of the operation.",
@@ -55,6 +63,8 @@ void addOutput(Schema<Dialect>& schema) {
             .choices = {{"long", "Up to 36 characters"}, {"short", "Up to 8 characters"}}})
       .add(&Dialect::comments, {.key = "comments",
                                 .label = "Comments",
+                                .help = "Of layers and beads. The head of a program always says "
+                                        "what it was planned with.",
                                 .group = "Output",
                                 .choices = {{"none", "None"},
                                             {"layers", "One per layer"},
@@ -78,8 +88,22 @@ void addFrames(Schema<Dialect>& schema) {
                                  .group = "Controller",
                                  .min = 0,
                                  .max = kFrames})
+      .add(&Dialect::remoteFrame,
+           {.key = "remote_frame",
+            .label = "User frame of the fixed torch (UF)",
+            .help = "n of UFRAME[n] for programs of a part that the robot carries: it must hold "
+                    "the fixed torch, with z from the part towards it. Never 0: RTCP moves "
+                    "relative to a user frame, and frame 0 is the robot's own, which cannot be "
+                    "set.",
+            .group = "Controller",
+            .min = 1,
+            .max = kFrames,
+            .enabledIf = "remote_tool=true"})
       .add(&Dialect::toolFrame, {.key = "tool_frame",
-                                 .label = "Tool frame of the torch (UT)",
+                                 .label = "Tool frame (UT)",
+                                 .help = "Holds the torch; of a part that the robot carries, the "
+                                         "table with the part. The head of the program says the "
+                                         "values that were planned with.",
                                  .group = "Controller",
                                  .min = 1,
                                  .max = kTools})
@@ -118,7 +142,14 @@ void addFrames(Schema<Dialect>& schema) {
                                .group = "Controller",
                                .level = ParamLevel::Advanced,
                                .min = 0,
-                               .max = 10});
+                               .max = 10})
+      .add(&Dialect::otherController,
+           {.key = "other_controller",
+            .label = "Also for other controllers",
+            .help = "Writes the program though the cell names a controller of another make. Joint "
+                    "values then have the meaning of that make.",
+            .group = "Controller",
+            .level = ParamLevel::Expert});
 }
 
 void addMotion(Schema<Dialect>& schema) {
@@ -132,7 +163,8 @@ void addMotion(Schema<Dialect>& schema) {
       .add(&Dialect::remoteTool, {.key = "remote_tool",
                                   .label = "Remote tool centre point",
                                   .help = "Adds RTCP to linear and circular moves when the robot "
-                                          "carries the part, so that the speed holds at the torch.",
+                                          "carries the part, so that the speed holds at the torch. "
+                                          "It excludes coordinated motion.",
                                   .group = "Motion",
                                   .level = ParamLevel::Advanced})
       .add(&Dialect::speedUnit, {.key = "speed_unit",
@@ -187,7 +219,8 @@ void addArc(Schema<Dialect>& schema) {
                               .choices = {{"wait", "Wait"}, {"schedule", "In the schedule"}}})
       .add(&Dialect::wireRegister, {.key = "wire_register",
                                     .label = "Register for the wire speed",
-                                    .help = "n of R[n], in m/min; 0: the job decides alone.",
+                                    .help = "n of R[n], in m/min; 0: the job decides alone, and "
+                                            "operations whose wire speed changes get no program.",
                                     .group = "Arc",
                                     .level = ParamLevel::Advanced,
                                     .min = 0,

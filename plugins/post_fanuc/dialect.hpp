@@ -24,10 +24,12 @@ struct Dialect {
   int jointDecimals = 4;
   int cartesianDecimals = 3;
   int maxPoints = 15000;
+  int maxLines = 9999;
   std::string programName;
   NameLength nameLength = NameLength::Long;
   GroupFields groupFields = GroupFields::Five;
   int userFrame = 0;
+  int remoteFrame = 1;
   int toolFrame = 1;
   int positionerUserFrame = 0;
   int positionerToolFrame = 1;
@@ -45,6 +47,7 @@ struct Dialect {
   int wireRegister = 0;
   int payload = 0;
   Comments comments = Comments::Layers;
+  bool otherController = false;
 
   [[nodiscard]] std::size_t longestName() const {
     // R-30iA and older take 8 characters, R-30iB 36.

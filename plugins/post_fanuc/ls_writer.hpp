@@ -4,10 +4,12 @@
 
 #include "wcam/base/context.hpp"
 #include "wcam/program/program.hpp"
+#include "wcam/program/split.hpp"
 #include "wcam/program/text_writer.hpp"
 
 #include "dialect.hpp"
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -17,14 +19,20 @@ namespace fanuc {
 struct ModalState {
   std::string configuration;
   int job = 0;
+  std::array<int, 3> turns{};    ///< of the target before
   double worstSpeedError = 0.0;  ///< greatest relative error of a printed speed
 };
 
+/// Lines that an instruction needs at most.
+int linesOf(const wcam::program::Action& action, const Dialect& dialect);
+
+/// Lines of a program before its first instruction.
+int headLines(const wcam::program::Program& program, const Dialect& dialect);
+
 /// Text of one TP program with motion.
-std::string printPart(const std::string& name,
+std::string printPart(const wcam::program::NamedPart& part,
                       const std::string& comment,
                       const wcam::program::Program& program,
-                      std::span<const wcam::program::Instruction> instructions,
                       const Dialect& dialect,
                       ModalState& state,
                       const wcam::JobContext& context);
@@ -32,6 +40,7 @@ std::string printPart(const std::string& name,
 /// Text of a TP program without motion that calls others in order.
 std::string printMain(const std::string& name,
                       const std::string& comment,
+                      const wcam::program::Program& program,
                       std::span<const std::string> parts,
                       const Dialect& dialect);
 

@@ -4,8 +4,10 @@
 #include "wcam/plugin/plugin.hpp"
 #include "wcam/program/split.hpp"
 #include "wcam/program/validate.hpp"
+#include "wcam/program/wire.hpp"
 
 #include "ls_writer.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 
@@ -47,19 +49,26 @@ void checkCell(const Program& program, const Dialect& dialect) {
     throw Error(ErrorCode::JobFailed, "Cartesian positions need an arm; this robot has linear axes",
                 program.name, "set mode=joint");
   }
-  if (cell.partCarried) {
-    throw Error(ErrorCode::JobFailed,
-                "Cartesian positions are not defined for a part that the robot carries",
-                program.name, "set mode=joint");
-  }
 }
 
-void tell(const Program& program, const ModalState& state, const wcam::JobContext& context) {
+void tell(const Program& program,
+          const Dialect& dialect,
+          const ModalState& state,
+          const wcam::JobContext& context) {
+  if (dialect.wireRegister == 0) {
+    wcam::program::reportUnwrittenWire(
+        program,
+        "name the register that hands the wire speed to the welding source (wire_register), or plan "
+        "with one wire speed: ramps and edits that keep it, wire_follows_speed off",
+        context);
+  }
   if (state.worstSpeedError > kSpeedErrorWorthTelling) {
+    constexpr double kPercent = 100.0;
     context.add({Severity::Warning,
                  "post.speed_rounded",
-                 "speeds are rounded by more than 1 %",
-                 "write speeds in cm/min or with more decimals",
+                 wcam::text("written speeds differ from the planned ones by up to %1 %",
+                            {wcam::formatFixed(kPercent * state.worstSpeedError, 1)}),
+                 "write speeds in cm/min (speed_unit) or with more decimals (speed_decimals)",
                  {program.name},
                  {{"error_percent", 100.0 * state.worstSpeedError}}});
   }
@@ -74,22 +83,27 @@ public:
     context.check();
     wcam::program::requireValid(program);
     checkCell(program, dialect);
+    const wcam::program::SplitLimits limits{
+        dialect.maxPoints, dialect.maxLines,
+        [&dialect](const wcam::program::Action& action) { return linesOf(action, dialect); },
+        headLines(program, dialect)};
     const wcam::program::NamedParts split = wcam::program::splitNamed(
-        program, dialect.maxPoints, dialect.programName, dialect.longestName(), context);
+        program, limits, dialect.programName, {dialect.longestName(), kWords}, context);
     std::vector<OutputFile> files;
     if (split.chained) {
       files.push_back(
-          {split.main + ".LS", printMain(split.main, program.name, split.calls(), dialect)});
+          {split.main + ".LS",
+           printMain(split.main, program.name, program, split.calls(), dialect)});
     }
     ModalState state;
     state.configuration = program.cell.configuration;
     std::size_t done = 0;
     for (const wcam::program::NamedPart& part : split.parts) {
-      files.push_back({part.name + ".LS", printPart(part.name, program.name, program,
-                                                    part.instructions, dialect, state, context)});
+      files.push_back({part.name + ".LS",
+                       printPart(part, program.name, program, dialect, state, context)});
       context.report(static_cast<double>(++done) / static_cast<double>(split.parts.size()));
     }
-    tell(program, state, context);
+    tell(program, dialect, state, context);
     return files;
   }
 };
@@ -100,7 +114,8 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
        .name = "FANUC TP (.LS)",
        .summary = "TP programs in ASCII form for FANUC controllers, with the positioner as "
                   "motion group 2",
-       .params = dialectSchema().params()},
+       .params = dialectSchema().params(),
+       .controllers = {"FANUC"}},
       [] { return std::make_unique<FanucPost>(); });
 }
 

@@ -17,10 +17,20 @@ void addOutput(Schema<Dialect>& schema) {
             .label = "Positions",
             .help =
                 "Cartesian: LIN with the speed of the tool. Joint values: every move is a PTP to "
-                "axis values, whose speed is whole percents of the axis speeds; for dry runs and "
-                "for checking the reach.",
+                "axis values, whose speed is whole percents of the axis speeds, far above those of "
+                "a bead: a dry run that checks the reach, with the arc off.",
             .group = "Output",
-            .choices = {{"cartesian", "Cartesian"}, {"joint", "Joint values"}}})
+            .choices = {{"cartesian", "Cartesian"}, {"joint", "Joint values (dry run)"}}})
+      .add(&Dialect::ptp,
+           {.key = "ptp_positions",
+            .label = "Positions of PTP moves",
+            .help = "Axis values say how the robot reaches a point. Cartesian positions carry "
+                    "status and turn bits (S and T) instead; where an axis is within 0.001 degrees "
+                    "of 0, its turn bit would be chance, and axis values are written all the same.",
+            .group = "Output",
+            .level = ParamLevel::Advanced,
+            .enabledIf = "mode=cartesian",
+            .choices = {{"axes", "Axis values"}, {"cartesian", "Cartesian with S and T"}}})
       .add(&Dialect::lengthDecimals, {.key = "length_decimals",
                                       .label = "Decimals of lengths",
                                       .help = "Of mm.",
@@ -49,11 +59,18 @@ void addOutput(Schema<Dialect>& schema) {
           {.key = "max_points",
            .label = "Points per program",
            .help = "0: no limit. A longer operation is cut between beads into programs that a main "
-                   "program calls.",
+                   "program calls; each of them can be started alone.",
            .group = "Output",
            .level = ParamLevel::Advanced,
            .min = 0,
            .max = 1e6})
+      .add(&Dialect::maxLines, {.key = "max_lines",
+                                .label = "Lines per program",
+                                .help = "As the points. 0: no limit.",
+                                .group = "Output",
+                                .level = ParamLevel::Advanced,
+                                .min = 0,
+                                .max = 1e6})
       .add(&Dialect::programName,
            {.key = "program_name",
             .label = "Program name",
@@ -61,6 +78,8 @@ void addOutput(Schema<Dialect>& schema) {
             .group = "Output"})
       .add(&Dialect::comments, {.key = "comments",
                                 .label = "Comments",
+                                .help = "Of layers and beads. The head of a program always says "
+                                        "what it was planned with.",
                                 .group = "Output",
                                 .choices = {{"none", "None"},
                                             {"layers", "One per layer"},
@@ -71,7 +90,9 @@ void addController(Schema<Dialect>& schema) {
   schema
       .add(&Dialect::tool, {.key = "tool",
                             .label = "Tool number",
-                            .help = "n of TOOL_DATA[n].",
+                            .help = "n of TOOL_DATA[n]: the torch; of a part that the robot "
+                                    "carries, the table with the part. The head of the program "
+                                    "says the values that were planned with.",
                             .group = "Controller",
                             .min = 1,
                             .max = 32})
@@ -80,7 +101,8 @@ void addController(Schema<Dialect>& schema) {
           {.key = "base",
            .label = "Base number",
            .help = "n of BASE_DATA[n]; 0 writes $NULLFRAME. Positions are complete: with a coupled "
-                   "positioner the base must be its table frame, else the robot base.",
+                   "positioner the base must be its table frame, with a part that the robot carries "
+                   "the fixed torch (never 0), else the robot base.",
            .group = "Controller",
            .min = 0,
            .max = 128})
@@ -115,7 +137,14 @@ void addController(Schema<Dialect>& schema) {
                 "the sign of A5.",
             .group = "Controller",
             .level = ParamLevel::Expert,
-            .enabledIf = "mode=cartesian"})
+            .enabledIf = "ptp_positions=cartesian"})
+      .add(&Dialect::otherController,
+           {.key = "other_controller",
+            .label = "Also for other controllers",
+            .help = "Writes the program though the cell names a controller of another make. Axis "
+                    "values then have the meaning of that make.",
+            .group = "Controller",
+            .level = ParamLevel::Expert})
       .add(&Dialect::advance, {.key = "advance",
                                .label = "Advance run",
                                .help = "$ADVANCE: moves read ahead.",
@@ -188,7 +217,8 @@ void addArc(Schema<Dialect>& schema) {
       .add(&Dialect::wireVariable,
            {.key = "wire_variable",
             .label = "Variable for the wire speed",
-            .help = "A variable of the controller that takes m/min; empty: the job decides alone.",
+            .help = "A variable of the controller that takes m/min; empty: the job decides alone, "
+                    "and operations whose wire speed changes get no program.",
             .group = "Arc",
             .level = ParamLevel::Advanced});
 }

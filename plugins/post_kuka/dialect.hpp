@@ -9,6 +9,7 @@
 namespace kuka {
 
 enum class Mode { Cartesian, Joint };
+enum class Ptp { Axes, Cartesian };
 enum class Arc { Output, Template, None };
 enum class Approximation { Distance, Velocity, None };
 enum class AngleRange { Wrapped, Continuous };
@@ -17,10 +18,12 @@ enum class Comments { None, Layers, Beads };
 /// What differs between controllers and shops. One parameter each.
 struct Dialect {
   Mode mode = Mode::Cartesian;
+  Ptp ptp = Ptp::Axes;
   int lengthDecimals = 3;
   int angleDecimals = 4;
   AngleRange angleRange = AngleRange::Wrapped;
   int maxPoints = 0;
+  int maxLines = 9999;
   std::string programName;
   Comments comments = Comments::Layers;
   bool coupled = true;
@@ -39,6 +42,7 @@ struct Dialect {
   std::string arcOn = "ARC_ON({job})";
   std::string arcOff = "ARC_OFF()";
   std::string wireVariable;
+  bool otherController = false;
 };
 
 /// Longest name of a KRL program.

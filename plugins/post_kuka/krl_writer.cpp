@@ -21,16 +21,63 @@ using wcam::ErrorCode;
 
 constexpr std::size_t kRemarkLength = 78;
 constexpr double kMmPerMetre = 1000.0;
+constexpr int kFifthAxis = 4;
 
 /// Positions go into the turning table's frame.
 bool inTableFrame(const Program& program, const Dialect& dialect) {
   return dialect.coupled && program.cell.positionerJoints > 0 && !program.cell.partCarried;
 }
 
+/// An axis this near to 0 (rad) is on both sides of it by rounding.
+constexpr double kNearZero = 0.001 * wcam::kPi / 180.0;
+
 void printRemark(TextWriter& out, const std::string& text) {
   for (const std::string& piece : wrapComment(text, kRemarkLength)) {
     out.text("; ").text(piece).text("\n");
   }
+}
+
+/// One line, however long.
+void printFrame(TextWriter& out, const std::string& name, const Pose& pose) {
+  const Eigen::Vector3d p = pose.translation();
+  const Eigen::Vector3d abc = wcam::cell::toKukaAbc(pose.linear()) * (180.0 / wcam::kPi);
+  out.text("; ").text(name).text(" = {X ").fixed<3>(p.x()).text(",Y ").fixed<3>(p.y());
+  out.text(",Z ").fixed<3>(p.z()).text(",A ").fixed<4>(abc.x()).text(",B ").fixed<4>(abc.y());
+  out.text(",C ").fixed<4>(abc.z()).text("}\n");
+}
+
+std::string baseName(const Dialect& dialect) {
+  return dialect.base > 0 ? "BASE_DATA[" + std::to_string(dialect.base) + "]" : "$NULLFRAME";
+}
+
+std::string machineName(const Dialect& dialect) {
+  return "MACHINE_DEF[" + std::to_string(dialect.machine) + "]";
+}
+
+/// What the program was planned with: an operator compares it with the controller.
+void printProvenance(TextWriter& out, const Program& program, const Dialect& dialect) {
+  const CellFacts& cell = program.cell;
+  printRemark(out, "Project " + program.projectName + ", operation " + program.name);
+  printRemark(out, "Cell " + cell.cellName);
+  if (!cell.robotName.empty() || !cell.torchName.empty()) {
+    printRemark(out, "Robot " + cell.robotName + ", torch " + cell.torchName);
+  }
+  printFrame(out, "TOOL_DATA[" + std::to_string(dialect.tool) + "]",
+             cell.partCarried ? cell.T_flange_table : cell.T_flange_tcp);
+  printFrame(out, baseName(dialect), cell.partCarried ? cell.T_base_tcp : Pose::Identity());
+  if (cell.positionerJoints > 0) {
+    printFrame(out, machineName(dialect) + ".ROOT", cell.T_base_root);
+    printFrame(out, "Table with external axes at 0", cell.T_base_table);
+  }
+  if (program.process.wireDiameter > 0.0) {
+    printRemark(out,
+                "Wire " + wcam::formatFixed(program.process.wireDiameter, 2) + " mm at " +
+                    wcam::formatFixed(wcam::toFileUnit(wcam::QuantityKind::WireSpeed,
+                                                       program.process.wireSpeed),
+                                      3) +
+                    " m/min");
+  }
+  printRemark(out, "Job " + std::to_string(program.process.job));
 }
 
 /// Interrupt, basic motion data, tool and base.
@@ -47,14 +94,15 @@ void printInitialisation(TextWriter& out, const Program& program, const Dialect&
       .text("\n$TOOL = TOOL_DATA[")
       .integer(dialect.tool)
       .text("]\n$BASE = ");
-  const std::string base =
-      dialect.base > 0 ? "BASE_DATA[" + std::to_string(dialect.base) + "]" : "$NULLFRAME";
+  const std::string base = baseName(dialect);
   if (inTableFrame(program, dialect)) {
-    const std::string machine = "MACHINE_DEF[" + std::to_string(dialect.machine) + "]";
+    const std::string machine = machineName(dialect);
     out.text("EK(" + machine + ".ROOT, " + machine + ".MECH_TYPE, " + base + ")\n");
   } else {
     out.text(base).text("\n");
   }
+  // #TCP: the torch stands, and the robot guides the part below it.
+  out.text(program.cell.partCarried ? "$IPO_MODE = #TCP\n" : "$IPO_MODE = #BASE\n");
   if (dialect.externalAxisCount > 0) {
     out.text("$ACT_EX_AX = ").integer(dialect.externalAxisCount).text("\n");
   }
@@ -66,14 +114,12 @@ void printInitialisation(TextWriter& out, const Program& program, const Dialect&
 }
 
 void printHead(TextWriter& out,
-               const Frame& frame,
+               const std::string& name,
                const Program& program,
                const Dialect& dialect) {
-  out.text("&ACCESS RVP\n&REL 1\n&PARAM EDITMASK = *\nDEF ").text(frame.name).text(" ( )\n");
-  printRemark(out, frame.comment);
-  if (frame.main) {
-    printInitialisation(out, program, dialect);
-  }
+  out.text("&ACCESS RVP\n&REL 1\n&PARAM EDITMASK = *\nDEF ").text(name).text(" ( )\n");
+  printProvenance(out, program, dialect);
+  printInitialisation(out, program, dialect);
 }
 
 class MovePrinter {
@@ -85,7 +131,7 @@ public:
     const auto percent = std::clamp<long long>(std::llround(100.0 * move.speedRatio), 1, 100);
     axisSpeed(percent);
     out_.text("PTP ");
-    if (dialect_.mode == Mode::Joint) {
+    if (dialect_.mode == Mode::Joint || dialect_.ptp == Ptp::Axes || ambiguous(move.target)) {
       axes(move.target);
     } else {
       pose(move.target, true);
@@ -120,7 +166,9 @@ public:
 
   void print(const ArcOn& arc) {
     state_.job = arc.job;
-    if (dialect_.arc == Arc::Output) {
+    if (dryRun()) {
+      printRemark(out_, "Arc on: left out, dry run");
+    } else if (dialect_.arc == Arc::Output) {
       print(SetIo{dialect_.arcOutput, true});
     } else if (dialect_.arc == Arc::Template) {
       lines(dialect_.arcOn, 0.0);
@@ -128,6 +176,10 @@ public:
   }
 
   void print(const ArcOff& arc) {
+    if (dryRun()) {
+      printRemark(out_, "Arc off: left out, dry run");
+      return;
+    }
     if (dialect_.arc == Arc::Template) {
       lines(dialect_.arcOff, arc.craterTime);
       return;
@@ -141,7 +193,7 @@ public:
   }
 
   void print(const SetProcess& process) {
-    if (!dialect_.wireVariable.empty()) {
+    if (!dialect_.wireVariable.empty() && !dryRun()) {
       out_.text(dialect_.wireVariable).text(" = ");
       out_.fixed<3>(wcam::toFileUnit(wcam::QuantityKind::WireSpeed, process.wireSpeed)).text("\n");
     }
@@ -173,6 +225,20 @@ public:
   void print(const BeadEnd&) {}
 
 private:
+  /// PTP moves are too fast for a bead.
+  [[nodiscard]] bool dryRun() const { return dialect_.mode == Mode::Joint; }
+
+  /// Would status or turn be decided by rounding?
+  [[nodiscard]] bool ambiguous(const Target& target) const {
+    for (int i = 0; i < cell_.robotJoints; ++i) {
+      if (std::abs(std::remainder(target.joints[i], wcam::kPi)) < kNearZero &&
+          (std::abs(target.joints[i]) < kNearZero || i == kFifthAxis)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void pathSpeed(double speed) {
     // Robots of this brand move along paths with 3 m/s at most.
     constexpr double kFastest = 3.0;
@@ -258,7 +324,7 @@ private:
 
   void pose(const Target& target, bool withStatus) {
     remember(target);
-    const Pose& pose = inTableFrame(program_, dialect_) ? target.T_table_tcp : target.T_base_tcp;
+    const Pose pose = poseOf(target);
     const Eigen::Vector3d p = pose.translation();
     const Eigen::Vector3d abc = angles(pose.linear());
     constexpr std::array<std::string_view, 3> kLengths = {"{X ", ",Y ", ",Z "};
@@ -275,6 +341,14 @@ private:
     }
     externalAxes(target);
     out_.text("}");
+  }
+
+  /// The tool in the base. Of a carried part: the table with the part in the frame of the torch.
+  [[nodiscard]] Pose poseOf(const Target& target) const {
+    if (cell_.partCarried) {
+      return target.T_table_tcp.inverse();
+    }
+    return inTableFrame(program_, dialect_) ? target.T_table_tcp : target.T_base_tcp;
   }
 
   void remember(const Target& target) {
@@ -303,7 +377,8 @@ private:
     return abc;
   }
 
-  /// S: bit 0 overhead, bit 1 elbow, bit 2 wrist. T: bit i set when axis i + 1 is negative.
+  /// S: bit 0 wrist centre behind axis 1, bit 1 elbow up (A3 beyond the stretched arm), bit 2
+  /// wrist. T: bit i set when axis i + 1 is negative.
   void printStatus(const Target& target) {
     out_.text(",S 'B")
         .text(dialect_.status.empty() ? status(target) : dialect_.status)
@@ -315,7 +390,7 @@ private:
   }
 
   [[nodiscard]] std::string status(const Target& target) const {
-    const double a5 = target.joints[4];
+    const double a5 = target.joints[kFifthAxis];
     const bool wrist = (a5 < 0.0 && a5 >= -wcam::kPi) || a5 >= wcam::kPi;
     const bool elbowUp = state_.configuration[1] == 'U';
     const bool overhead = state_.configuration[2] == 'B';
@@ -361,33 +436,63 @@ private:
 
 }  // namespace
 
-std::string printProgram(const Frame& frame,
+int linesOf(const Action& action, const Dialect& dialect) {
+  if (const auto* comment = std::get_if<Comment>(&action)) {
+    return static_cast<int>(wrapComment(comment->text, kRemarkLength).size());
+  }
+  if (std::holds_alternative<LayerEnd>(action) || std::holds_alternative<BeadEnd>(action)) {
+    return 0;
+  }
+  constexpr int kSpeedAndMove = 2;
+  if (std::holds_alternative<MoveCircular>(action)) {
+    return 2 * kSpeedAndMove;  // two PTP in joint mode
+  }
+  if (targetCount(action) > 0) {
+    return kSpeedAndMove;
+  }
+  if (std::holds_alternative<ArcOn>(action)) {
+    return static_cast<int>(wcam::splitText(dialect.arcOn, '|').size());
+  }
+  if (std::holds_alternative<ArcOff>(action)) {
+    return std::max(2, static_cast<int>(wcam::splitText(dialect.arcOff, '|').size()));
+  }
+  return 1;
+}
+
+int headLines(const Program& program, const Dialect& dialect) {
+  TextWriter head;
+  printHead(head, "PROGRAM", program, dialect);
+  const std::string_view text = head.view();
+  return 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+std::string printProgram(const NamedPart& part,
                          const Program& program,
-                         std::span<const Instruction> instructions,
                          const Dialect& dialect,
                          ModalState& state,
                          const wcam::JobContext& context) {
   constexpr std::size_t kCheckInterval = 1024;
   constexpr std::size_t kBytesPerLine = 100;
-  TextWriter out(4096 + kBytesPerLine * instructions.size());
-  printHead(out, frame, program, dialect);
+  TextWriter out(4096 + kBytesPerLine * part.size());
+  printHead(out, part.name, program, dialect);
   MovePrinter printer(out, program, dialect, state);
-  for (std::size_t i = 0; i < instructions.size(); ++i) {
-    if (i % kCheckInterval == 0) {
+  std::size_t count = 0;
+  part.forEach([&](const Instruction& instruction) {
+    if (count++ % kCheckInterval == 0) {
       context.check();
     }
-    std::visit([&printer](const auto& action) { printer.print(action); }, instructions[i].action);
-  }
+    std::visit([&printer](const auto& action) { printer.print(action); }, instruction.action);
+  });
   out.text("END\n");
   return out.take();
 }
 
-std::string printMain(const Frame& frame,
+std::string printMain(const std::string& name,
                       const Program& program,
                       std::span<const std::string> parts,
                       const Dialect& dialect) {
   TextWriter out;
-  printHead(out, frame, program, dialect);
+  printHead(out, name, program, dialect);
   for (const std::string& part : parts) {
     out.text(part).text(" ( )\n");
   }

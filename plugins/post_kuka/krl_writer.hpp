@@ -4,6 +4,7 @@
 
 #include "wcam/base/context.hpp"
 #include "wcam/program/program.hpp"
+#include "wcam/program/split.hpp"
 #include "wcam/program/text_writer.hpp"
 
 #include "dialect.hpp"
@@ -23,23 +24,21 @@ struct ModalState {
   double worstAxisSpeedError = 0.0;  ///< greatest relative error of a speed in joint mode
 };
 
-/// What printProgram() writes around the moves.
-struct Frame {
-  std::string name;
-  std::string comment;
-  bool main = true;  ///< with INI, tool and base; else a part that a main program calls
-};
+/// Lines that an instruction needs at most.
+int linesOf(const wcam::program::Action& action, const Dialect& dialect);
+
+/// Lines of a program beside those of its instructions.
+int headLines(const wcam::program::Program& program, const Dialect& dialect);
 
 /// Text of one KRL program with motion.
-std::string printProgram(const Frame& frame,
+std::string printProgram(const wcam::program::NamedPart& part,
                          const wcam::program::Program& program,
-                         std::span<const wcam::program::Instruction> instructions,
                          const Dialect& dialect,
                          ModalState& state,
                          const wcam::JobContext& context);
 
 /// Text of a main program that calls its parts in order.
-std::string printMain(const Frame& frame,
+std::string printMain(const std::string& name,
                       const wcam::program::Program& program,
                       std::span<const std::string> parts,
                       const Dialect& dialect);

@@ -5,8 +5,10 @@
 #include "wcam/program/names.hpp"
 #include "wcam/program/split.hpp"
 #include "wcam/program/validate.hpp"
+#include "wcam/program/wire.hpp"
 
 #include "krl_writer.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 
@@ -40,10 +42,11 @@ void checkCell(const Program& program, const Dialect& dialect) {
                 "a KUKA program has rotary robot axes, this robot linear ones", program.name,
                 "use a post-processor for Cartesian machines");
   }
-  if (cell.partCarried && dialect.mode == Mode::Cartesian) {
+  if (cell.partCarried && dialect.base == 0) {
     throw Error(ErrorCode::JobFailed,
-                "Cartesian positions are not defined for a part that the robot carries",
-                program.name, "set mode=joint");
+                "for a part that the robot carries, the base is the fixed torch, and $NULLFRAME is "
+                "not",
+                program.name, "measure the torch as a base and set base to its number");
   }
 }
 
@@ -69,11 +72,31 @@ void checkTexts(const Dialect& dialect) {
   }
 }
 
-void tell(const Program& program, const ModalState& state, const wcam::JobContext& context) {
+void tell(const Program& program,
+          const Dialect& dialect,
+          const ModalState& state,
+          const wcam::JobContext& context) {
+  if (dialect.mode == Mode::Joint) {
+    context.add({Severity::Warning,
+                 "post.dry_run",
+                 "moves to axis values cannot keep the speed of a bead: the program is a dry run "
+                 "and leaves the arc off",
+                 "deposit with mode=cartesian",
+                 {program.name},
+                 {}});
+  } else if (dialect.wireVariable.empty() && dialect.arc != Arc::None) {
+    wcam::program::reportUnwrittenWire(
+        program,
+        "name the variable that hands the wire speed to the welding source (wire_variable), or plan "
+        "with one wire speed: ramps and edits that keep it, wire_follows_speed off",
+        context);
+  }
   if (state.worstAxisSpeedError > kSpeedErrorWorthTelling) {
     context.add({Severity::Warning,
                  "post.speed_rounded",
-                 "moves to axis values run at whole percents of the axis speeds",
+                 wcam::text("moves to axis values run at whole percents of the axis speeds, up to "
+                            "%1 % off the planned speed",
+                            {wcam::formatFixed(100.0 * state.worstAxisSpeedError, 0)}),
                  "deposit with mode=cartesian",
                  {program.name},
                  {{"error_percent", 100.0 * state.worstAxisSpeedError}}});
@@ -90,23 +113,26 @@ public:
     context.check();
     wcam::program::requireValid(program);
     checkCell(program, dialect);
+    const wcam::program::SplitLimits limits{
+        dialect.maxPoints, dialect.maxLines,
+        [&dialect](const wcam::program::Action& action) { return linesOf(action, dialect); },
+        headLines(program, dialect)};
     const wcam::program::NamedParts split = wcam::program::splitNamed(
-        program, dialect.maxPoints, dialect.programName, kLongestName, context);
+        program, limits, dialect.programName, {kLongestName, kWords}, context);
     std::vector<OutputFile> files;
     if (split.chained) {
-      files.push_back({split.main + ".src", printMain({split.main, program.name, true}, program,
-                                                      split.calls(), dialect)});
+      files.push_back(
+          {split.main + ".src", printMain(split.main, program, split.calls(), dialect)});
     }
     ModalState state;
     state.configuration = program.cell.configuration;
     std::size_t done = 0;
     for (const wcam::program::NamedPart& part : split.parts) {
-      const Frame frame{part.name, program.name, !split.chained};
-      files.push_back({part.name + ".src",
-                       printProgram(frame, program, part.instructions, dialect, state, context)});
+      files.push_back(
+          {part.name + ".src", printProgram(part, program, dialect, state, context)});
       context.report(static_cast<double>(++done) / static_cast<double>(split.parts.size()));
     }
-    tell(program, state, context);
+    tell(program, dialect, state, context);
     return files;
   }
 };
@@ -117,7 +143,8 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
        .name = "KUKA KRL (.src)",
        .summary = "KRL programs for KUKA controllers, with a mathematically coupled positioner "
                   "as external axes",
-       .params = dialectSchema().params()},
+       .params = dialectSchema().params(),
+       .controllers = {"KUKA"}},
       [] { return std::make_unique<KukaPost>(); });
 }
 

@@ -7770,6 +7770,222 @@
         <source>use the configuration %1 and a rotation of %2 deg about the torch</source>
         <translation>utiliser la configuration %1 et une rotation de %2 deg autour de la torche</translation>
     </message>
+    <message>
+        <source>%1: that serves %2 of %3 points tried of this bead</source>
+        <translation>%1 : cela suffit pour %2 des %3 points essayés de ce cordon</translation>
+    </message>
+    <message>
+        <source>%1: that serves %2 of %3 points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
+        <translation>%1 : cela suffit pour %2 des %3 points essayés de ce cordon (portée, butées et singularités ; collisions non examinées)</translation>
+    </message>
+    <message>
+        <source>%1: that serves all points tried of this bead</source>
+        <translation>%1 : cela suffit pour tous les points essayés de ce cordon</translation>
+    </message>
+    <message>
+        <source>%1: that serves all points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
+        <translation>%1 : cela suffit pour tous les points essayés de ce cordon (portée, butées et singularités ; collisions non examinées)</translation>
+    </message>
+    <message>
+        <source>a range of %1 would do</source>
+        <translation>un domaine de %1 conviendrait</translation>
+    </message>
+    <message>
+        <source>widen the modulation range, or choose another decomposition</source>
+        <translation>élargir le domaine de modulation, ou choisir une autre décomposition</translation>
+    </message>
+    <message>
+        <source>±%1 %, that is %2 to %3 mm</source>
+        <translation>±%1 %, soit %2 à %3 mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a word of the language or of the file system: the program is named %2</source>
+        <translation>« %1 » est un mot du langage ou du système de fichiers : le programme s’appelle %2</translation>
+    </message>
+    <message>
+        <source>0: no limit. A longer operation is cut between beads into programs that a main program calls; each of them can be started alone.</source>
+        <translation>0 : sans limite. Une opération plus longue est coupée entre les cordons en programmes qu’un programme principal appelle ; chacun d’eux peut être lancé seul.</translation>
+    </message>
+    <message>
+        <source>A longer operation is cut between beads into programs that a main program calls; each of them can be started alone.</source>
+        <translation>Une opération plus longue est coupée entre les cordons en programmes qu’un programme principal appelle ; chacun d’eux peut être lancé seul.</translation>
+    </message>
+    <message>
+        <source>A variable of the controller that takes m/min; empty: the job decides alone, and operations whose wire speed changes get no program.</source>
+        <translation>Une variable de la commande en m/min ; vide : le job décide seul, et les opérations dont la vitesse de fil change n’ont pas de programme.</translation>
+    </message>
+    <message>
+        <source>Adds RTCP to linear and circular moves when the robot carries the part, so that the speed holds at the torch. It excludes coordinated motion.</source>
+        <translation>Ajoute RTCP aux mouvements linéaires et circulaires quand le robot porte la pièce : la vitesse est tenue à la torche. Exclut le mouvement coordonné.</translation>
+    </message>
+    <message>
+        <source>Also for other controllers</source>
+        <translation>Aussi pour d’autres commandes</translation>
+    </message>
+    <message>
+        <source>As the points. 0: no limit.</source>
+        <translation>Comme les points. 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>As the points. Line numbers above 9999 need five digits, which many controllers do not read. 0: no limit.</source>
+        <translation>Comme les points. Au-delà de 9999 les numéros de ligne ont cinq chiffres, que bien des commandes ne lisent pas. 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>Axis values</source>
+        <translation>Valeurs d’axes</translation>
+    </message>
+    <message>
+        <source>Axis values say how the robot reaches a point. Cartesian positions carry status and turn bits (S and T) instead; where an axis is within 0.001 degrees of 0, its turn bit would be chance, and axis values are written all the same.</source>
+        <translation>Les valeurs d’axes disent comment le robot atteint un point. Les positions cartésiennes portent à la place les bits d’état et de tour (S et T) ; quand un axe est à moins de 0,001 degré de 0, son bit de tour serait dû au hasard, et des valeurs d’axes sont écrites malgré tout.</translation>
+    </message>
+    <message>
+        <source>Cartesian with S and T</source>
+        <translation>Cartésien avec S et T</translation>
+    </message>
+    <message>
+        <source>Cartesian: LIN with the speed of the tool. Joint values: every move is a PTP to axis values, whose speed is whole percents of the axis speeds, far above those of a bead: a dry run that checks the reach, with the arc off.</source>
+        <translation>Cartésien : LIN avec la vitesse de l’outil. Valeurs d’axes : chaque mouvement est un PTP vers des valeurs d’axes, dont la vitesse est un pourcentage entier des vitesses d’axes, bien au-delà de celle d’un cordon : un essai à vide qui vérifie l’accessibilité, arc éteint.</translation>
+    </message>
+    <message>
+        <source>Holds the torch; of a part that the robot carries, the table with the part. The head of the program says the values that were planned with.</source>
+        <translation>Contient la torche ; pour une pièce que le robot porte, la table avec la pièce. L’en-tête du programme donne les valeurs de la planification.</translation>
+    </message>
+    <message>
+        <source>Joint values (dry run)</source>
+        <translation>Valeurs d’axes (essai à vide)</translation>
+    </message>
+    <message>
+        <source>Lines per program</source>
+        <translation>Lignes par programme</translation>
+    </message>
+    <message>
+        <source>Of layers and beads. The head of a program always says what it was planned with.</source>
+        <translation>Des couches et des cordons. L’en-tête d’un programme dit toujours avec quoi il a été planifié.</translation>
+    </message>
+    <message>
+        <source>Positions of PTP moves</source>
+        <translation>Positions des mouvements PTP</translation>
+    </message>
+    <message>
+        <source>Tool frame (UT)</source>
+        <translation>Repère outil (UT)</translation>
+    </message>
+    <message>
+        <source>User frame of the fixed torch (UF)</source>
+        <translation>Repère utilisateur de la torche fixe (UF)</translation>
+    </message>
+    <message>
+        <source>Writes the program though the cell names a controller of another make. Axis values then have the meaning of that make.</source>
+        <translation>Écrit le programme bien que la cellule nomme une commande d’une autre marque. Les valeurs d’axes ont alors le sens de cette marque.</translation>
+    </message>
+    <message>
+        <source>Writes the program though the cell names a controller of another make. Joint values then have the meaning of that make.</source>
+        <translation>Écrit le programme bien que la cellule nomme une commande d’une autre marque. Les valeurs articulaires ont alors le sens de cette marque.</translation>
+    </message>
+    <message>
+        <source>a bead is longer than one program of %1 positions: it would be cut with the arc on, into parts that cannot be started alone</source>
+        <translation>un cordon dépasse un programme de %1 positions : il serait coupé arc allumé, en parties qui ne peuvent pas être lancées seules</translation>
+    </message>
+    <message>
+        <source>a bead is longer than one program: the arc stops and starts again at %1 places in it</source>
+        <translation>un cordon dépasse un programme : l’arc s’y arrête et reprend à %1 endroits</translation>
+    </message>
+    <message>
+        <source>a program of %1 positions and %2 lines has no room for a move</source>
+        <translation>un programme de %1 positions et %2 lignes n’a pas de place pour un mouvement</translation>
+    </message>
+    <message>
+        <source>allow at least %1 positions and %2 lines per program</source>
+        <translation>autoriser au moins %1 positions et %2 lignes par programme</translation>
+    </message>
+    <message>
+        <source>allow more points or lines per program, or sample the bead less densely</source>
+        <translation>autoriser plus de points ou de lignes par programme, ou échantillonner le cordon moins densément</translation>
+    </message>
+    <message>
+        <source>check every joint value and frame before it runs</source>
+        <translation>vérifier chaque valeur articulaire et chaque repère avant de le lancer</translation>
+    </message>
+    <message>
+        <source>for a part that the robot carries, the base is the fixed torch, and $NULLFRAME is not</source>
+        <translation>pour une pièce que le robot porte, la base est la torche fixe, et $NULLFRAME ne l’est pas</translation>
+    </message>
+    <message>
+        <source>measure the torch as a base and set base to its number</source>
+        <translation>mesurer la torche comme base et donner son numéro à base</translation>
+    </message>
+    <message>
+        <source>moves to axis values cannot keep the speed of a bead: the program is a dry run and leaves the arc off</source>
+        <translation>des mouvements vers des valeurs d’axes ne tiennent pas la vitesse d’un cordon : le programme est un essai à vide et laisse l’arc éteint</translation>
+    </message>
+    <message>
+        <source>moves to axis values run at whole percents of the axis speeds, up to %1 % off the planned speed</source>
+        <translation>les mouvements vers des valeurs d’axes vont à des pourcentages entiers des vitesses d’axes, jusqu’à %1 % d’écart avec la vitesse prévue</translation>
+    </message>
+    <message>
+        <source>n of BASE_DATA[n]; 0 writes $NULLFRAME. Positions are complete: with a coupled positioner the base must be its table frame, with a part that the robot carries the fixed torch (never 0), else the robot base.</source>
+        <translation>n de BASE_DATA[n] ; 0 écrit $NULLFRAME. Les positions sont complètes : avec un positionneur couplé la base doit être le repère de sa table, avec une pièce que le robot porte la torche fixe (jamais 0), sinon la base du robot.</translation>
+    </message>
+    <message>
+        <source>n of R[n], in m/min; 0: the job decides alone, and operations whose wire speed changes get no program.</source>
+        <translation>n de R[n], en m/min ; 0 : le job décide seul, et les opérations dont la vitesse de fil change n’ont pas de programme.</translation>
+    </message>
+    <message>
+        <source>n of TOOL_DATA[n]: the torch; of a part that the robot carries, the table with the part. The head of the program says the values that were planned with.</source>
+        <translation>n de TOOL_DATA[n] : la torche ; pour une pièce que le robot porte, la table avec la pièce. L’en-tête du programme donne les valeurs de la planification.</translation>
+    </message>
+    <message>
+        <source>n of UFRAME[n] for programs of a part that the robot carries: it must hold the fixed torch, with z from the part towards it. Never 0: RTCP moves relative to a user frame, and frame 0 is the robot&apos;s own, which cannot be set.</source>
+        <translation>n de UFRAME[n] pour les programmes d’une pièce que le robot porte : il doit contenir la torche fixe, z allant de la pièce vers elle. Jamais 0 : RTCP se déplace par rapport à un repère utilisateur, et le repère 0 est celui du robot, qui ne se règle pas.</translation>
+    </message>
+    <message>
+        <source>name it in the cell file (robot.controller)</source>
+        <translation>la nommer dans le fichier de cellule (robot.controller)</translation>
+    </message>
+    <message>
+        <source>name the register that hands the wire speed to the welding source (wire_register), or plan with one wire speed: ramps and edits that keep it, wire_follows_speed off</source>
+        <translation>nommer le registre qui transmet la vitesse de fil au générateur (wire_register), ou planifier avec une seule vitesse de fil : rampes et modifications qui la gardent, wire_follows_speed désactivé</translation>
+    </message>
+    <message>
+        <source>name the variable that hands the wire speed to the welding source (wire_variable), or plan with one wire speed: ramps and edits that keep it, wire_follows_speed off</source>
+        <translation>nommer la variable qui transmet la vitesse de fil au générateur (wire_variable), ou planifier avec une seule vitesse de fil : rampes et modifications qui la gardent, wire_follows_speed désactivé</translation>
+    </message>
+    <message>
+        <source>output &apos;%1&apos;: %2</source>
+        <translation>sortie « %1 » : %2</translation>
+    </message>
+    <message>
+        <source>set program_name to another name</source>
+        <translation>donner un autre nom à program_name</translation>
+    </message>
+    <message>
+        <source>take the post-processor of the controller; %1=true writes the program all the same</source>
+        <translation>prendre le post-processeur de la commande ; %1=true écrit le programme malgré tout</translation>
+    </message>
+    <message>
+        <source>the cell does not name its controller; the program is written for %1</source>
+        <translation>la cellule ne nomme pas sa commande ; le programme est écrit pour %1</translation>
+    </message>
+    <message>
+        <source>the controller of the cell is %1, the program is written for %2</source>
+        <translation>la commande de la cellule est %1, le programme est écrit pour %2</translation>
+    </message>
+    <message>
+        <source>the controller of the cell is %1, this post-processor writes for %2</source>
+        <translation>la commande de la cellule est %1, ce post-processeur écrit pour %2</translation>
+    </message>
+    <message>
+        <source>the wire speed changes %1 times, between %2 and %3 m/min, and the program does not write it</source>
+        <translation>la vitesse de fil change %1 fois, entre %2 et %3 m/min, et le programme ne l’écrit pas</translation>
+    </message>
+    <message>
+        <source>write speeds in cm/min (speed_unit) or with more decimals (speed_decimals)</source>
+        <translation>écrire les vitesses en cm/min (speed_unit) ou avec plus de décimales (speed_decimals)</translation>
+    </message>
+    <message>
+        <source>written speeds differ from the planned ones by up to %1 %</source>
+        <translation>les vitesses écrites s’écartent de celles prévues jusqu’à %1 %</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -8067,6 +8283,10 @@
     <message>
         <source>Not written again and perhaps out of date: %1</source>
         <translation>Non réécrits et peut-être périmés : %1</translation>
+    </message>
+    <message>
+        <source>Output &apos;%1&apos; of operation &apos;%2&apos; violates checks and is not written.</source>
+        <translation>La sortie « %1 » de l’opération « %2 » enfreint des contrôles et n’est pas écrite.</translation>
     </message>
 </context>
 <context>
@@ -9182,6 +9402,18 @@
     <message>
         <source>Remedy: %1</source>
         <translation>Remède : %1</translation>
+    </message>
+    <message>
+        <source>Take the robot cell from a file</source>
+        <translation>Prendre la cellule robot dans un fichier</translation>
+    </message>
+    <message>
+        <source>Choose a cell</source>
+        <translation>Choisir une cellule</translation>
+    </message>
+    <message>
+        <source>Cells (*.json)</source>
+        <translation>Cellules (*.json)</translation>
     </message>
 </context>
 <context>

@@ -74,10 +74,10 @@ TEST_F(BadProject, DeepNestingDoesNotCrash) {
 TEST_F(BadProject, WrongTypesAndDanglingNamesAreAllTold) {
   std::string text = replaced(elbow_, "\"parts\": [\"elbow\"]", "\"parts\": [\"elbwo\"]");
   text = replaced(text, "\"size_mm\": [250.0, 250.0, 10.0]", "\"size_mm\": \"large\"");
-  text = replaced(text, "\"post\": \"wcam.post.kuka\"", "\"post\": 7");
+  text = replaced(text, "\"post\": \"wcam.post.fanuc\"", "\"post\": 7");
   EXPECT_THAT(refusedRun(projectOf(text), 3),
               AllOf(HasSubstr("operations[0].parts"), HasSubstr("substrates[0].size_mm"),
-                    HasSubstr("outputs[1].post"), HasSubstr("elbow.wcam")));
+                    HasSubstr("outputs[0].post"), HasSubstr("elbow.wcam")));
 }
 
 TEST_F(BadProject, ParametersOutOfRangeAreAllTold) {

@@ -73,7 +73,6 @@ TEST_F(EditVerb, TheProgramWaitsAndTheTableShowsIt) {
   EXPECT_EQ(result.exitCode, 0) << result.err;
   const fs::path out = project_.parent_path() / "elbow-out";
   EXPECT_THAT(readFile(out / "fanuc/PLANAR.LS"), HasSubstr("WAIT  41.00(sec)"));
-  EXPECT_THAT(readFile(out / "kuka/PLANAR.src"), HasSubstr("WAIT SEC 41.000"));
   const Table with = readTable(out / "planar.csv");
   const double last = with.number(with.rows.size() - 1, "time_s");
   // For this run only: another time, or left out.

@@ -57,8 +57,7 @@ TEST_F(Export, WritesProgramsTablesAndReport) {
     names.insert(name);
   }
   EXPECT_EQ(names, (std::set<std::string>{"fanuc/GUIDE.LS", "fanuc/PLANAR.LS", "guide.csv",
-                                          "kuka/GUIDE.src", "kuka/PLANAR.src", "planar.csv",
-                                          "report.json"}));
+                                          "planar.csv", "report.json"}));
 }
 
 TEST_F(Export, TableHasTheHeaderOfTheFormat) {

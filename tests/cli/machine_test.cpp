@@ -28,10 +28,10 @@ TEST_F(Machine, whatLeansBeyondTheStrokeIsTold) {
 
 TEST_F(Machine, aPostForArmsRefusesThem) {
   const ProcessResult run = camcli({"--project", elbowOn("debout_5axis").native(), "--operation",
-                                    "planar", "--post", "kuka", "--output", "out"});
+                                    "planar", "--post", "wcam.post.kuka", "--output", "out"});
   EXPECT_EQ(run.exitCode, 6);
-  EXPECT_THAT(run.err, HasSubstr("the cell 5 and 0"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/kuka"));
+  EXPECT_THAT(run.err, HasSubstr("the controller of the cell is Siemens"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/PLANAR.src"));
 }
 
 /// A generic post writes the program; the table has columns in mm for the linear axes.

@@ -72,11 +72,12 @@ TEST_F(Options, SetLeavesTheFileAlone) {
 }
 
 TEST_F(Options, PostAndOperationSelect) {
-  EXPECT_EQ(camcli({"--project", elbow_, "--output", "a", "--operation", "guide", "--post", "kuka"})
-                .exitCode,
-            0);
+  EXPECT_EQ(
+      camcli({"--project", elbow_, "--output", "a", "--operation", "guide", "--post", "fanuc"})
+          .exitCode,
+      0);
   EXPECT_EQ(filesBelow(folder_ / "a").size(), 2U);
-  EXPECT_TRUE(fs::exists(folder_ / "a/kuka/GUIDE.src"));
+  EXPECT_TRUE(fs::exists(folder_ / "a/fanuc/GUIDE.LS"));
   // By the id of the post-processor, and one that the project does not store; named twice is once.
   EXPECT_EQ(
       camcli({"--project", elbow_, "--output", "b", "--operation", "guide", "--operation", "guide",
@@ -88,10 +89,20 @@ TEST_F(Options, PostAndOperationSelect) {
   EXPECT_EQ(filesBelow(folder_ / "b").size(), 3U);
 }
 
+// The cell's controller is FANUC's.
+TEST_F(Options, PostOfAnotherMakeIsRefused) {
+  const ProcessResult result = camcli({"--project", elbow_, "--output", "a", "--operation", "guide",
+                                       "--post", "wcam.post.kuka"});
+  EXPECT_EQ(result.exitCode, 6);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("FANUC"), HasSubstr("KUKA"),
+                                HasSubstr("other_controller=true")));
+  EXPECT_FALSE(fs::exists(folder_ / "a/GUIDE.src"));
+}
+
 TEST_F(Options, UnknownPostAndOperation) {
   EXPECT_THAT(refused({"--operation", "plana"}), HasSubstr("did you mean 'planar'?"));
   EXPECT_THAT(refused({"--operation", "other"}), HasSubstr("planar, guide"));
-  EXPECT_THAT(refused({"--post", "kukka"}, 7), HasSubstr("did you mean 'kuka'?"));
+  EXPECT_THAT(refused({"--post", "fanuk"}, 7), HasSubstr("did you mean 'fanuc'?"));
   EXPECT_THAT(refused({"--post", "com.acme.unheard"}, 7), HasSubstr("wcam.post.fanuc"));
 }
 

@@ -49,7 +49,7 @@ TEST_F(Plugins, MissingOneIsNamed) {
   const fs::path project = elbowWith("wcam.slicing.guide", "com.acme.slicing.spiral");
   EXPECT_THAT(refusedRun(project, 7), HasSubstr("'com.acme.slicing.spiral'"));
   const fs::path project2 = example("elbow", "second");
-  writeFileAtomically(project2, replaced(readFile(project2), "wcam.post.kuka", "com.acme.post"));
+  writeFileAtomically(project2, replaced(readFile(project2), "wcam.post.fanuc", "com.acme.post"));
   EXPECT_THAT(refusedRun(project2, 7), HasSubstr("'com.acme.post'"));
 }
 
@@ -82,13 +82,13 @@ TEST_F(Plugins, PostThatThrowsFailsItsJob) {
   for (const char* id : {"probe.throws_int", "probe.throws_standard", "probe.throws_error"}) {
     const ProcessResult result =
         camcli({"--project", elbow_, "--output", "out", "--plugin", probe("misbehaving"), "--post",
-                id, "--operation", "guide", "--post", "kuka"});
+                id, "--operation", "guide", "--post", "fanuc"});
     EXPECT_EQ(result.exitCode, 6) << id << result.err;
     EXPECT_THAT(result.err,
                 AllOf(HasSubstr("output '" + std::string(id) + "'"), HasSubstr("operation 'guide'"),
                       HasSubstr("org.wcam.probe.misbehaving")));
     // The other output is not harmed, and the report tells the failure.
-    EXPECT_TRUE(fs::exists(folder_ / "out/kuka/GUIDE.src"));
+    EXPECT_TRUE(fs::exists(folder_ / "out/fanuc/GUIDE.LS"));
     const Value report = parseJson(readFile(folder_ / "out/report.json"));
     EXPECT_EQ(report.at("errors").asArray().at(0).at("code").asString(), "job-failed");
     fs::remove_all(folder_ / "out");

@@ -148,7 +148,8 @@ TEST(EditsOfProjects, ThePauseReachesEveryPost) {
   const auto filesOf = [&](const std::string& post, const OperationResult& of) {
     std::vector<std::pair<std::string, std::string>> files;
     for (const plugin::OutputFile& file :
-         pipeline.post({post, post, {}, Value::object(), {}}, of, JobContext())) {
+         pipeline.post({post, post, {}, Value::object({{"other_controller", true}}), {}}, of,
+                       JobContext())) {
       files.emplace_back(file.name, file.content);
     }
     return files;

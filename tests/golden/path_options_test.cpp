@@ -29,7 +29,9 @@ std::vector<std::pair<std::string, std::string>> filesOf(const Pipeline& pipelin
   Output output;
   output.id = "test";
   output.post = post;
-  output.params = parseJson(R"({"mode": "joint"})");
+  // KUKA's joint mode is a dry run.
+  output.params = parseJson(R"({"other_controller": true, "mode": ")" +
+                            std::string(post == "wcam.post.kuka" ? "cartesian" : "joint") + "\"}");
   std::vector<std::pair<std::string, std::string>> files;
   for (const plugin::OutputFile& file : pipeline.post(output, result, JobContext())) {
     files.emplace_back(file.name, file.content);

@@ -207,7 +207,7 @@ TEST_F(Offscreen, TemplatesBecomeProjectsWhoseFilesAreCopiedOnSaving) {
   ASSERT_GE(list->count(), 5);
   for (int i = 0; i < list->count(); ++i) {
     list->setCurrentRow(i);
-    window.session().create(dialog.document());
+    window.session().create(dialog.document(window.session().plugins()));
     const std::filesystem::path file = folder / ("template" + std::to_string(i)) / "mine.wcam";
     std::filesystem::create_directories(file.parent_path());
     ASSERT_TRUE(window.saveTo(file)) << utf8(window.noticeText());

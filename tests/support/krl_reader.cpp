@@ -64,6 +64,7 @@ public:
       } else if (scanner.accept(";")) {
         scanner.skip();
         job_.comments.emplace_back(scanner.rest());
+        readFrame(job_.comments.back());
       } else if (result.name.empty()) {
         if (!scanner.accept("DEF ")) {
           problem("DEF expected: " + line);
@@ -87,6 +88,27 @@ public:
 private:
   void problem(const std::string& text) { job_.problems.push_back(file_ + ": " + text); }
 
+  /// "NAME = {X 1,Y 2,Z 3,A 4,B 5,C 6}" in a comment.
+  void readFrame(const std::string& comment) {
+    const std::size_t equal = comment.find(" = {");
+    if (equal == std::string::npos) {
+      return;
+    }
+    Scanner scanner(std::string_view(comment).substr(equal + 3));
+    Aggregate aggregate;
+    scanner.accept("{");
+    do {
+      const std::string key = scanner.word();
+      aggregate.fields[key] = scanner.real().value_or(1e9);
+    } while (scanner.accept(","));
+    constexpr std::size_t kFields = 6;
+    if (!scanner.accept("}") || aggregate.fields.size() != kFields) {
+      problem("frame in a comment: " + comment);
+      return;
+    }
+    job_.frames[comment.substr(0, equal)] = poseOf(aggregate);
+  }
+
   std::string file_;
   ReadJob& job_;
 };
@@ -104,12 +126,34 @@ public:
     for (const std::string& statement : file.statements) {
       execute(statement, depth);
     }
-    if (depth == 0 && !initialised_) {
+    if (std::none_of(file.statements.begin(), file.statements.end(), [](const std::string& line) {
+          return line.starts_with("BAS (#INITMOV,0 )");
+        })) {
       problem("BAS (#INITMOV,0 ) is missing");
     }
     job_.positions[name] = job_.moves.size() - before;
     ++job_.programs;
     current_ = caller;
+  }
+
+  /// The program as an operator starts it, from wherever the robot stands.
+  void runAlone(const std::string& name) {
+    run(name);
+    if (!job_.moves.empty()) {
+      const auto firstArc = std::find_if(job_.moves.begin(), job_.moves.end(),
+                                         [](const ReadMove& move) { return move.arc; });
+      if (job_.moves.front().kind != ReadKind::Joint) {
+        problem("started alone, it does not begin with a joint move");
+      }
+      // The joint move to a safe point, the approach to the bead, and only then the arc.
+      constexpr auto kBeforeArc = 2;
+      if (firstArc != job_.moves.end() && firstArc - job_.moves.begin() < kBeforeArc) {
+        problem("started alone, the arc goes on without an approach");
+      }
+    }
+    if (arc_) {
+      problem("started alone, it leaves the arc on");
+    }
   }
 
   void finish() {
@@ -160,7 +204,9 @@ private:
   void basicMotion(Scanner& scanner) {
     scanner.accept("(");
     if (scanner.accept("#INITMOV,0")) {
-      initialised_ = true;
+      // It puts the speeds back to their defaults.
+      pathSpeed_ = 0.0;
+      axisSpeed_ = 0;
     } else if (scanner.accept("#VEL_PTP,")) {
       axisSpeed_ = scanner.integer().value_or(0);
       if (axisSpeed_ < 1 || axisSpeed_ > 100) {
@@ -191,12 +237,36 @@ private:
     } else if (left.accept("$OUT[")) {
       output(left.integer().value_or(-1), right.accept("TRUE"));
     } else if (left.accept("$BASE")) {
-      base_ = true;
+      setBase(right);
     } else if (left.accept("$TOOL")) {
-      tool_ = true;
+      tool_ = std::string(right.rest());
+      if (!job_.frames.contains(tool_)) {
+        problem("the program does not say what it was planned with: " + tool_);
+      }
+    } else if (left.accept("$IPO_MODE")) {
+      remote_ = right.accept("#TCP");
+      ipo_ = remote_ || right.accept("#BASE");
     } else if (left.accept("$ACT_EX_AX")) {
       activeExternal_ = right.integer();
     }
+  }
+
+  void setBase(Scanner& right) {
+    right.skip();
+    std::string name(right.rest());
+    coupled_ = name.starts_with("EK(");
+    if (coupled_) {
+      const std::size_t comma = name.rfind(", ");
+      const std::string root = name.substr(3, name.find(',') - 3);
+      if (!job_.frames.contains(root)) {
+        problem("the program does not say what it was planned with: " + root);
+      }
+      name = name.substr(comma + 2, name.size() - comma - 3);
+    }
+    if (!job_.frames.contains(name)) {
+      problem("the program does not say what it was planned with: " + name);
+    }
+    base_ = name;
   }
 
   void output(int number, bool on) {
@@ -214,8 +284,8 @@ private:
   }
 
   void motion(Scanner& scanner, ReadKind kind) {
-    if (!base_ || !tool_) {
-      problem("a move before $BASE and $TOOL are set");
+    if (base_.empty() || tool_.empty() || !ipo_) {
+      problem("a move before $BASE, $TOOL and $IPO_MODE are set");
     }
     std::vector<ReadMove> moves;
     moves.push_back(moveTo(scanner, kind));
@@ -263,6 +333,10 @@ private:
     move.kind = kind;
     move.program = current_;
     move.arc = arc_;
+    move.tool = tool_;
+    move.base = base_;
+    move.coupled = coupled_;
+    move.remote = remote_;
     move.speed = kind == ReadKind::Joint ? axisSpeed_ : pathSpeed_ * 1000.0;
     const Aggregate aggregate = parseAggregate(scanner);
     const auto has = [&aggregate](const std::string& key) {
@@ -333,9 +407,11 @@ private:
   ReadJob& job_;
   std::string current_;
   std::set<std::string> called_;
-  bool initialised_ = false;
-  bool base_ = false;
-  bool tool_ = false;
+  std::string base_;
+  std::string tool_;
+  bool coupled_ = false;
+  bool remote_ = false;
+  bool ipo_ = false;
   bool arc_ = false;
   double pathSpeed_ = 0.0;
   int axisSpeed_ = 0;
@@ -350,6 +426,12 @@ void lintName(const std::string& fileName, const std::string& name, ReadJob& job
   if (name.empty() || name.size() > kLongestName || !letters ||
       (name[0] >= '0' && name[0] <= '9')) {
     job.problems.push_back(fileName + ": '" + name + "' is not a program name");
+  }
+  static const std::set<std::string> kNoNames = {"END",  "LIN", "PTP",  "WAIT", "SIGNAL", "BAS",
+                                                 "LOOP", "DEF", "POS",  "IR_STOPM", "CON", "AUX",
+                                                 "PRN",  "NUL", "COM1", "LPT1"};
+  if (kNoNames.contains(name)) {
+    job.problems.push_back(fileName + ": '" + name + "' means something else");
   }
   if (fileName != name + ".src") {
     job.problems.push_back(fileName + ": file and program have different names");
@@ -375,6 +457,15 @@ ReadJob readKrl(const std::vector<std::pair<std::string, std::string>>& files, i
     runner.run(first);
   }
   runner.finish();
+  for (const auto& [name, file] : programs) {
+    if (job.positions[name] == 0 || programs.size() == 1 || name == first) {
+      continue;
+    }
+    ReadJob alone;
+    alone.frames = job.frames;
+    KrlRunner(programs, arcOutput, alone).runAlone(name);
+    job.problems.insert(job.problems.end(), alone.problems.begin(), alone.problems.end());
+  }
   return job;
 }
 

@@ -274,8 +274,8 @@ private:
 /// Executes the instructions of programs.
 class LsRunner {
 public:
-  LsRunner(const std::map<std::string, LsFile>& programs, ReadJob& job)
-      : programs_(programs), job_(job) {}
+  LsRunner(const std::map<std::string, LsFile>& programs, bool provenance, ReadJob& job)
+      : programs_(programs), provenance_(provenance), job_(job) {}
 
   void run(const std::string& name, int depth = 0) {
     const auto found = programs_.find(name);
@@ -297,6 +297,27 @@ public:
     job_.positions[name] = current_->positions.size();
     ++job_.programs;
     current_ = caller;
+  }
+
+  /// The program as an operator starts it, from wherever the robot stands.
+  void runAlone(const std::string& name) {
+    run(name);
+    current_ = &programs_.at(name);
+    if (!job_.moves.empty()) {
+      const auto firstArc = std::find_if(job_.moves.begin(), job_.moves.end(),
+                                         [](const ReadMove& move) { return move.arc; });
+      if (job_.moves.front().kind != ReadKind::Joint) {
+        problem("started alone, it does not begin with a joint move");
+      }
+      // The joint move to a safe point, the approach to the bead, and only then the arc.
+      constexpr auto kBeforeArc = 2;
+      if (firstArc != job_.moves.end() && firstArc - job_.moves.begin() < kBeforeArc) {
+        problem("started alone, the arc goes on without an approach");
+      }
+    }
+    if (arc_) {
+      problem("started alone, it leaves the arc on");
+    }
   }
 
   void finish() {
@@ -366,8 +387,30 @@ private:
     const std::string text(scanner.rest());
     const std::size_t end = text.find_last_not_of(' ');
     job_.comments.push_back(text.substr(0, end + 1));
+    readFrame(job_.comments.back());
     if (job_.comments.back().size() > 32) {
       problem("a comment is longer than 32 characters: " + job_.comments.back());
+    }
+  }
+
+  /// "NAME X 1.0" to "NAME R 6.0", one number a comment.
+  void readFrame(const std::string& comment) {
+    constexpr std::string_view kKeys = "XYZWPR";
+    const std::size_t key = comment.find_last_of(' ');
+    if (key == std::string::npos || key < 2 || comment[key - 2] != ' ' ||
+        kKeys.find(comment[key - 1]) == std::string_view::npos) {
+      return;
+    }
+    Scanner scanner(std::string_view(comment).substr(key));
+    const auto value = scanner.real();
+    if (!value || !scanner.done()) {
+      return;
+    }
+    const std::string name = comment.substr(0, key - 2);
+    std::array<double, 6>& numbers = numbers_[name];
+    numbers[kKeys.find(comment[key - 1])] = *value;
+    if (comment[key - 1] == 'R') {
+      job_.frames[name] = poseOf(numbers);
     }
   }
 
@@ -413,7 +456,10 @@ private:
     }
     termination(scanner, move);
     move.coordinated = scanner.accept("COORD");
-    scanner.accept("RTCP");
+    move.remote = scanner.accept("RTCP");
+    if (move.remote && (move.coordinated || userFrame_ < 1)) {
+      problem("RTCP needs a user frame that can be set, and excludes COORD");
+    }
     if (!scanner.done() ||
         (move.coordinated && (move.external.empty() || kind == ReadKind::Joint))) {
       problem("motion option cannot be used: " + std::string(scanner.rest()));
@@ -451,6 +497,12 @@ private:
     if (position.userFrame != userFrame_ || position.toolFrame != toolFrame_) {
       problem("P[" + std::to_string(number) + "] has other frames than the program has set");
     }
+    move.tool = "UTOOL[" + std::to_string(toolFrame_) + "]";
+    move.base = "UFRAME[" + std::to_string(userFrame_) + "]";
+    if (provenance_ && (!job_.frames.contains(move.tool) ||
+                        (userFrame_ > 0 && !job_.frames.contains(move.base)))) {
+      problem("the program does not say what it was planned with: " + move.tool + " " + move.base);
+    }
     move.cartesian = position.pose.has_value();
     move.pose = position.pose.value_or(Eigen::Isometry3d::Identity());
     move.joints = position.joints;
@@ -461,6 +513,7 @@ private:
   }
 
   const std::map<std::string, LsFile>& programs_;
+  bool provenance_;
   ReadJob& job_;
   const LsFile* current_ = nullptr;
   std::set<std::string> called_;
@@ -468,6 +521,7 @@ private:
   bool arc_ = false;
   int userFrame_ = -1;
   int toolFrame_ = -1;
+  std::map<std::string, std::array<double, 6>> numbers_;
 };
 
 void lintFile(const std::string& fileName,
@@ -483,6 +537,11 @@ void lintFile(const std::string& fileName,
   });
   if (name.empty() || name.size() > longestName || !letters || name.front() < 'A') {
     problem("'" + name + "' is not a program name");
+  }
+  static const std::set<std::string> kNoNames = {"END", "WAIT", "SIGNAL", "CALL", "PROGRAM", "CON",
+                                                 "AUX", "PRN",  "NUL",    "COM1", "LPT1"};
+  if (kNoNames.contains(name)) {
+    problem("'" + name + "' means something else");
   }
   if (fileName != name + ".LS") {
     problem("file and program have different names");
@@ -510,7 +569,8 @@ void lintFile(const std::string& fileName,
 }  // namespace
 
 ReadJob readLs(const std::vector<std::pair<std::string, std::string>>& files,
-               std::size_t longestName) {
+               std::size_t longestName,
+               bool provenance) {
   ReadJob job;
   std::map<std::string, LsFile> programs;
   std::string first;
@@ -522,9 +582,17 @@ ReadJob readLs(const std::vector<std::pair<std::string, std::string>>& files,
       job.problems.push_back(fileName + ": a program of this name exists already");
     }
   }
-  LsRunner runner(programs, job);
+  LsRunner runner(programs, provenance, job);
   runner.run(first);
   runner.finish();
+  for (const auto& [name, file] : programs) {
+    if (file.positions.empty() || programs.size() == 1) {
+      continue;
+    }
+    ReadJob alone;
+    LsRunner(programs, provenance, alone).runAlone(name);
+    job.problems.insert(job.problems.end(), alone.problems.begin(), alone.problems.end());
+  }
   return job;
 }
 

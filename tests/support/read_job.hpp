@@ -32,6 +32,10 @@ struct ReadMove {
   bool coordinated = false;   ///< FANUC: COORD
   std::string configuration;  ///< FANUC: "NUT"; KUKA: the S bits
   std::vector<int> turns;     ///< FANUC: the three turn numbers; KUKA: the T bits, axis 1 first
+  std::string tool;           ///< name of the tool frame that is active
+  std::string base;           ///< name of the frame that Cartesian positions are in
+  bool coupled = false;       ///< KUKA: that frame turns with the positioner
+  bool remote = false;        ///< the tool stands and the robot guides the part
   std::string program;
 };
 
@@ -44,6 +48,8 @@ struct ReadJob {
   std::vector<double> waits;                     ///< s
   std::map<int, int> outputs;                    ///< switchings of each digital output
   std::map<std::string, std::size_t> positions;  ///< per program
+  /// Frames that the comments say the program was planned with, by their names on the controller.
+  std::map<std::string, Eigen::Isometry3d> frames;
   int fewestJointDecimals = 99;
   std::size_t programs = 0;
 };

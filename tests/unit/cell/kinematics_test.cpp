@@ -36,7 +36,8 @@ Pose block(const Rotation& rotation, const Vec3& translation) {
   return pose;
 }
 
-/// The FANUC's chain as explicit matrices (Chalvin A23, corrected).
+/// The FANUC's chain as explicit matrices (Chalvin A23, corrected; the flange of the controller is
+/// turned by half a turn against it, as A23 says).
 Pose fanucMatrices(const double* j) {
   const double t3 = kPi / 2 - j[2] - j[1];
   return block(rotationZ(j[0]), {150 * std::cos(j[0]), 150 * std::sin(j[0]), 0}) *
@@ -44,7 +45,7 @@ Pose fanucMatrices(const double* j) {
          block(rotationY(t3), {-250 * std::cos(t3), 0, 250 * std::sin(t3)}) *
          block(rotationZ(-j[3]), {0, 0, 835}) *
          block(rotationY(-j[4]), {-100 * std::sin(j[4]), 0, 100 * std::cos(j[4])}) *
-         block(rotationZ(-j[5]), Vec3::Zero());
+         block(rotationZ(-j[5]) * rotationZ(kPi), Vec3::Zero());
 }
 
 TEST(Kinematics, fanucReferenceVectors) {
@@ -52,14 +53,14 @@ TEST(Kinematics, fanucReferenceVectors) {
   const Pose zero = T_base_flange(cell, degrees({0, 0, 0, 0, 0, 0, 0, 0}));
   expectVector(zero.translation(), {1085, 0, 1040}, 1e-3);
   expectVector(zero.linear().col(2), {1, 0, 0}, 1e-12);
-  expectVector(zero.linear().col(0), {0, 0, -1}, 1e-12);
+  expectVector(zero.linear().col(0), {0, 0, 1}, 1e-12);
   const Pose down = T_base_flange(cell, degrees({0, 0, 0, 0, -90, 0, 0, 0}));
   expectVector(down.translation(), {985, 0, 940}, 1e-3);
   expectVector(down.linear().col(2), {0, 0, -1}, 1e-12);
   const Pose general = T_base_flange(cell, degrees({30, 20, -10, 40, 50, 60, 0, 0}));
   expectVector(general.translation(), {1152.668, 722.351, 890.192}, 1e-3);
   expectVector(general.linear().col(2), {0.39026, 0.79390, 0.46629}, 1e-5);
-  expectVector(general.linear().col(0), {0.80836, -0.53789, 0.23924}, 1e-5);
+  expectVector(general.linear().col(0), {-0.80836, 0.53789, -0.23924}, 1e-5);
   const Pose other = T_base_flange(cell, degrees({-30, 15, -28, 0, 100, 0, 0, 0}));
   expectVector(other.translation(), {1073.870, -619.999, 686.915}, 1e-3);
   expectVector(other.linear().col(2), {0.26762, -0.15451, 0.95106}, 1e-5);

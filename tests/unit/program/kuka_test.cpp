@@ -9,6 +9,7 @@
 #include "post_fixture.hpp"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace wcam;
@@ -28,7 +29,8 @@ TEST(Kuka, CartesianModeReturnsThePoses) {
   for (const bool coupled : {true, false}) {
     for (const char* range : {"wrapped", "continuous"}) {
       const std::string params = std::string(R"({"coupled": )") + (coupled ? "true" : "false") +
-                                 R"(, "angle_range": ")" + range + R"("})";
+                                 R"(, "ptp_positions": "cartesian", "angle_range": ")" + range +
+                                 R"("})";
       const ReadJob job = readKrl(runPost("wcam.post.kuka", program, params));
       ASSERT_TRUE(sameStructure(job, planned, kAngleTolerance));
       for (std::size_t i = 0; i < planned.size(); ++i) {
@@ -50,7 +52,7 @@ TEST(Kuka, JointModeReturnsTheJoints) {
   const auto planned = plannedMoves(program);
   const JobContext context;
   const ReadJob job = readKrl(runPost("wcam.post.kuka", program, R"({"mode": "joint"})", context));
-  ASSERT_TRUE(sameStructure(job, planned, kAngleTolerance));
+  ASSERT_TRUE(sameStructure(job, planned, kAngleTolerance, false));
   EXPECT_EQ(job.fewestJointDecimals, 4);
   for (std::size_t i = 0; i < planned.size(); ++i) {
     ASSERT_EQ(job.moves[i].kind, ReadKind::Joint);
@@ -61,6 +63,23 @@ TEST(Kuka, JointModeReturnsTheJoints) {
     }
   }
   EXPECT_EQ(context.diagnostics().count("post.speed_rounded"), 1U);
+}
+
+// PTP moves run at ten times the speed of a bead and more.
+TEST(Kuka, JointModeNeverSwitchesTheArcOn) {
+  auto program = wcam::testing::sampleProgram();
+  for (const char* params :
+       {R"({"mode": "joint"})", R"({"mode": "joint", "arc": "template", "wire_variable": "WIRE"})"}) {
+    const JobContext context;
+    const std::string text = runPost("wcam.post.kuka", program, params, context).at(0).second;
+    EXPECT_EQ(text.find("$OUT[1]"), std::string::npos);
+    EXPECT_EQ(text.find("\nARC_ON"), std::string::npos);
+    EXPECT_EQ(text.find("\nWIRE"), std::string::npos);
+    EXPECT_EQ(context.diagnostics().count("post.dry_run"), 1U);
+    for (const ReadMove& move : readKrl({{"SAMPLE.src", text}}).moves) {
+      ASSERT_FALSE(move.arc);
+    }
+  }
 }
 
 TEST(Kuka, JointModeKeepsTheTimeOfAMove) {
@@ -80,18 +99,51 @@ TEST(Kuka, JointModeKeepsTheTimeOfAMove) {
   EXPECT_THROW(runPost("wcam.post.kuka", program, R"({"mode": "joint"})"), Error);
 }
 
+TEST(Kuka, PtpMovesTakeAxisValues) {
+  const auto program = wcam::testing::sampleProgram();
+  const auto planned = plannedMoves(program);
+  const ReadJob job = readKrl(runPost("wcam.post.kuka", program));
+  ASSERT_TRUE(sameStructure(job, planned, kAngleTolerance));
+  int ptp = 0;
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    const bool joint = planned[i].kind == ReadKind::Joint;
+    ptp += joint ? 1 : 0;
+    ASSERT_EQ(job.moves[i].cartesian, !joint);
+    for (std::size_t k = 0; joint && k < 6; ++k) {
+      ASSERT_NEAR(job.moves[i].joints[k],
+                  radToDeg(planned[i].target.joints[static_cast<Eigen::Index>(k)]),
+                  kAngleTolerance);
+    }
+  }
+  EXPECT_EQ(ptp, 2);
+}
+
+TEST(Kuka, RoundingNeverDecidesATurnBit) {
+  auto program = wcam::testing::sampleProgram();
+  auto& first = std::get<program::MoveJoint>(program.instructions[2].action);
+  for (const double nothing : {-1e-15, 0.0, 1e-15, -1e-6}) {
+    first.target.joints.head(6) << 0.1, -1.5, 1.6, nothing, 0.5, -0.2;
+    const ReadJob job =
+        readKrl(runPost("wcam.post.kuka", program, R"({"ptp_positions": "cartesian"})"));
+    EXPECT_FALSE(job.moves[0].cartesian) << nothing;
+    EXPECT_TRUE(job.moves[0].turns.empty());
+  }
+}
+
 TEST(Kuka, FirstMoveHasStatusAndTurn) {
   auto program = wcam::testing::sampleProgram();
   auto& first = std::get<program::MoveJoint>(program.instructions[2].action);
   first.target.joints.head(6) << 0.1, -1.5, 1.6, -0.1, 0.5, -0.2;
-  ReadJob job = readKrl(runPost("wcam.post.kuka", program));
+  const std::string ptp = R"({"ptp_positions": "cartesian"})";
+  ReadJob job = readKrl(runPost("wcam.post.kuka", program, ptp));
   EXPECT_EQ(job.moves[0].configuration, "010");
   EXPECT_EQ(job.moves[0].turns, (std::vector<int>{0, 1, 0, 1, 0, 1}));
   first.target.joints[4] = -0.5;
   first.target.configuration = "FDB";
-  job = readKrl(runPost("wcam.post.kuka", program));
+  job = readKrl(runPost("wcam.post.kuka", program, ptp));
   EXPECT_EQ(job.moves[0].configuration, "101");
-  job = readKrl(runPost("wcam.post.kuka", program, R"({"status": "110"})"));
+  job = readKrl(runPost("wcam.post.kuka", program,
+                        R"({"status": "110", "ptp_positions": "cartesian"})"));
   EXPECT_EQ(job.moves[0].configuration, "110");
   EXPECT_THROW(runPost("wcam.post.kuka", program, R"({"status": "12"})"), Error);
 }
@@ -117,6 +169,9 @@ TEST(Kuka, GimbalLockKeepsA) {
     const auto planned = plannedMoves(program);
     ASSERT_TRUE(sameStructure(job, planned, kAngleTolerance));
     for (std::size_t i = 0; i < planned.size(); ++i) {
+      if (planned[i].kind == ReadKind::Joint) {
+        continue;
+      }
       EXPECT_LE(angleBetween(job.moves[i].pose.linear(), planned[i].target.T_table_tcp.linear()),
                 3 * kAngleTolerance);
     }
@@ -174,14 +229,73 @@ TEST(Kuka, SplitsAndChainsLongOperations) {
   program.name = "a_very_long_operation_name_that_no_controller_takes";
   const auto planned = plannedMoves(program);
   ASSERT_GT(planned.size(), 40000U);
-  EXPECT_EQ(runPost("wcam.post.kuka", program).size(), 1U);
-  const ReadJob job = readKrl(runPost("wcam.post.kuka", program, R"({"max_points": 5000})"));
-  ASSERT_TRUE(sameStructure(job, planned, kAngleTolerance));
-  EXPECT_GE(job.programs, 10U);
-  for (const auto& [name, count] : job.positions) {
-    EXPECT_LE(name.size(), 24U);
-    EXPECT_TRUE(count <= 5000U || count == planned.size()) << name;
+  EXPECT_EQ(runPost("wcam.post.kuka", program, R"({"max_lines": 0})").size(), 1U);
+  for (const char* params : {"{}", R"({"max_points": 5000, "max_lines": 0})"}) {
+    const Files files = runPost("wcam.post.kuka", program, params);
+    const ReadJob job = readKrl(files);
+    ASSERT_TRUE(sameStructure(job, planned, kAngleTolerance));
+    EXPECT_GE(job.programs, 6U);
+    for (const auto& [name, count] : job.positions) {
+      EXPECT_LE(name.size(), 24U);
+      EXPECT_TRUE(count <= 9999U || count == planned.size()) << name;
+    }
+    for (const auto& [name, text] : files) {
+      EXPECT_TRUE(std::string(params) != "{}" ||
+                  std::count(text.begin(), text.end(), '\n') <= 9999)
+          << name;
+      for (const char* own : {"BAS (#INITMOV,0 )", "$TOOL = ", "$BASE = ", "$IPO_MODE = "}) {
+        EXPECT_NE(text.find(own), std::string::npos) << name;
+      }
+    }
   }
+}
+
+TEST(Kuka, ALongBeadIsWrittenAsPartsThatStartAlone) {
+  auto program = wcam::testing::sampleProgram({.layers = 1, .pointsPerBead = 500});
+  for (std::size_t i = 100; i < program.instructions.size(); i += 100) {
+    if (const auto* move = std::get_if<program::MoveLinear>(&program.instructions[i].action)) {
+      program::Lift lift{i, move->target, 30.0, 0.1};
+      lift.above.T_table_tcp.translation().z() += 50.0;
+      program.lifts.push_back(lift);
+    }
+  }
+  const JobContext context;
+  const ReadJob job =
+      readKrl(runPost("wcam.post.kuka", program, R"({"max_points": 210})", context));
+  EXPECT_EQ(job.problems, std::vector<std::string>{});
+  EXPECT_GE(job.programs, 4U);
+  EXPECT_EQ(context.diagnostics().count("post.bead_interrupted"), 1U);
+}
+
+TEST(Kuka, AvoidsKeywords) {
+  auto program = wcam::testing::sampleProgram();
+  for (const char* word : {"end", "LIN", "wait", "signal", "bas", "IR_STOPM", "con", "aux"}) {
+    program.name = word;
+    const JobContext context;
+    const Files files = runPost("wcam.post.kuka", program, "{}", context);
+    EXPECT_TRUE(files.at(0).first.starts_with("P_")) << files.at(0).first;
+    EXPECT_EQ(readKrl(files).problems, std::vector<std::string>{});
+    EXPECT_EQ(context.diagnostics().count("post.name_changed"), 1U) << word;
+  }
+}
+
+TEST(Kuka, KeepsBackAProgramThatLosesWireChanges) {
+  auto program = wcam::testing::sampleProgram();
+  const auto violations = [&](const std::string& params) {
+    const JobContext context;
+    runPost("wcam.post.kuka", program, params, context);
+    return context.diagnostics().count(Severity::Violation);
+  };
+  EXPECT_EQ(violations("{}"), 0U);  // one wire speed: that of the job
+  for (auto& instruction : program.instructions) {
+    if (auto* set = std::get_if<program::SetProcess>(&instruction.action);
+        set != nullptr && instruction.origin.layer == 1) {
+      set->wireSpeed = 40.0;
+    }
+  }
+  EXPECT_EQ(violations("{}"), 1U);
+  EXPECT_EQ(violations(R"({"arc": "none"})"), 0U);
+  EXPECT_EQ(violations(R"({"wire_variable": "WIRE"})"), 0U);
 }
 
 TEST(Kuka, DialectOfBaseAndArc) {
@@ -214,8 +328,9 @@ TEST(Kuka, DialectOfBaseAndArc) {
 TEST(Kuka, RefusesCellsItCannotDrive) {
   auto program = wcam::testing::sampleProgram({.positionerJoints = 0});
   program.cell.partCarried = true;
-  EXPECT_THROW(runPost("wcam.post.kuka", program), Error);
-  EXPECT_NO_THROW(runPost("wcam.post.kuka", program, R"({"mode": "joint"})"));
+  EXPECT_NE(runPost("wcam.post.kuka", program).at(0).second.find("$IPO_MODE = #TCP\n"),
+            std::string::npos);
+  EXPECT_THROW(runPost("wcam.post.kuka", program, R"({"base": 0})"), Error);
   program = wcam::testing::sampleProgram({.positionerJoints = 1});
   program.cell.robotJoints = 5;
   program.cell.positionerJoints = 2;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 using namespace wcam::program;
@@ -38,7 +39,7 @@ TEST(PartNames, AreDifferentAndShortEnough) {
        {"elbow", "ABCDEF_1", "ABCD_1", "A_1", "a_very_long_operation_name", "1"}) {
     for (const std::size_t parts : {1U, 9U, 10U, 99U}) {
       for (const std::size_t length : {9U, 24U, 36U}) {
-        const auto names = partNames(text, parts, length);
+        const auto names = partNames(text, parts, {length});
         EXPECT_EQ(names.size(), parts + 1);
         EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size()) << text;
         for (const std::string& name : names) {
@@ -47,10 +48,24 @@ TEST(PartNames, AreDifferentAndShortEnough) {
       }
     }
   }
-  EXPECT_EQ(partNames("elbow", 2, 36), (std::vector<std::string>{"ELBOW", "ELBOW_1", "ELBOW_2"}));
-  EXPECT_EQ(partNames("elbow", 10, 36).at(1), "ELBOW_01");
-  EXPECT_EQ(partNames("elbow", 0, 36), (std::vector<std::string>{"ELBOW"}));
-  EXPECT_THROW((void)partNames("elbow", 100, 8), wcam::Error);
+  EXPECT_EQ(partNames("elbow", 2, {36}), (std::vector<std::string>{"ELBOW", "ELBOW_1", "ELBOW_2"}));
+  EXPECT_EQ(partNames("elbow", 10, {36}).at(1), "ELBOW_01");
+  EXPECT_EQ(partNames("elbow", 0, {36}), (std::vector<std::string>{"ELBOW"}));
+  EXPECT_THROW((void)partNames("elbow", 100, {8}), wcam::Error);
+}
+
+TEST(PartNames, AvoidWordsOfTheLanguageAndDevices) {
+  constexpr std::array<std::string_view, 2> kWords = {"END", "WAIT"};
+  const NameRules rules{8, kWords};
+  EXPECT_EQ(partNames("end", 0, rules), (std::vector<std::string>{"P_END"}));
+  EXPECT_EQ(partNames("Wait", 2, rules),
+            (std::vector<std::string>{"P_WAIT", "P_WAIT_1", "P_WAIT_2"}));
+  EXPECT_EQ(partNames("ending", 0, rules).front(), "ENDING");
+  for (const char* device : {"con", "PRN", "aux", "nul", "com1", "LPT9"}) {
+    EXPECT_TRUE(partNames(device, 0, rules).front().starts_with("P_")) << device;
+  }
+  EXPECT_EQ(partNames("console", 0, rules).front(), "CONSOLE");
+  EXPECT_EQ(partNames("come", 0, rules).front(), "COME");
 }
 
 TEST(WrapComment, CutsAtBlanksWherePossible) {

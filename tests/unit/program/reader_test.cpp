@@ -31,7 +31,10 @@ const std::string& lsText() {
 
 const std::string& krlText() {
   static const std::string kText =
-      runPost("wcam.post.kuka", wcam::testing::sampleProgram()).at(0).second;
+      runPost("wcam.post.kuka", wcam::testing::sampleProgram(),
+              R"({"ptp_positions": "cartesian"})")
+          .at(0)
+          .second;
   return kText;
 }
 
@@ -77,6 +80,8 @@ TEST(KrlReader, CatchesDamage) {
       {"END\n", "\n"},
       {"BAS (#INITMOV,0 )\n", ""},
       {"$TOOL = TOOL_DATA[1]", "$TOOL ="},
+      {"$TOOL = TOOL_DATA[1]", "$TOOL = TOOL_DATA[2]"},
+      {"$IPO_MODE = #BASE\n", ""},
       {"DEF SAMPLE", "DEF A_NAME_OF_MORE_THAN_24_CHARACTERS"},
       {"} C_DIS", "} C_DISS"}};
   for (const auto& [from, to] : cases) {
@@ -96,7 +101,7 @@ TEST(LsReader, ReadsTheFormOfAController) {
       "\tX =   990.695  mm,\tY =   433.558  mm,\tZ =   948.275  mm,\n"
       "\tW =   176.242 deg,\tP =     3.021 deg,\tR =   -35.755 deg\n   GP2:\n\tUF : 0, UT : 1,\t\n"
       "\tJ1=     0.000 deg,\tJ2=    12.500 deg\n};\n/END\n";
-  const ReadJob job = readLs({{"TEST_1.LS", text}});
+  const ReadJob job = readLs({{"TEST_1.LS", text}}, 36, false);
   EXPECT_TRUE(job.problems.empty()) << job.problems.front();
   ASSERT_EQ(job.moves.size(), 1U);
   EXPECT_DOUBLE_EQ(job.moves[0].pose.translation().y(), 433.558);

@@ -15,4 +15,9 @@ bool hasPauses(const toolpath::Toolpath& path) noexcept;
 /// bead's own moves, where it has been lifted off; times behind it are later. Linear.
 PlannedMotion withPauses(PlannedMotion planned, const toolpath::Toolpath& path);
 
+/// The motion with the crater fill at the end of each bead: the torch stands there with the arc on,
+/// and times behind it are later. Linear.
+/// @param seconds of one crater
+PlannedMotion withCraters(PlannedMotion planned, double seconds);
+
 }  // namespace wcam::motion

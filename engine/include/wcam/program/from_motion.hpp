@@ -16,11 +16,15 @@ struct ArcSettings {
   int job = 1;
   double craterTime = 0.0;       ///< s
   double jointSpeedRatio = 0.1;  ///< of joint moves
+  double wireDiameter = 0.0;     ///< mm
+  double wireSpeed = 0.0;        ///< of the process, mm/s
+  double liftHeight = 50.0;      ///< of the safe points of long beads above them, mm
+  double liftSpeed = 30.0;       ///< to them, mm/s
 };
 
 /// Turns a motion into the robot-neutral program: arc on where a bead starts, arc off with crater
 /// fill where it ends, exact stops there, layer and bead marks around; exact stops and waits where
-/// the torch pauses.
+/// the torch pauses. Long beads get places where the program may be cut (Program::lifts).
 Program programFromMotion(const motion::PlannedMotion& planned,
                           const cell::Cell& cell,
                           const ArcSettings& arc,

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <set>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,10 +18,22 @@ std::string controllerName(std::string_view text,
                            std::size_t maxLength,
                            std::string_view fallback = "PROGRAM");
 
+/// What names of a controller's programs have to keep to.
+struct NameRules {
+  std::size_t longest = 8;  ///< characters
+  /// Words of the language and of its system programs, in capitals: they do not compile as names,
+  /// or hide what is called.
+  std::span<const std::string_view> reserved = {};
+};
+
+/// True for a word of the language and for a device of Windows (CON, AUX, COM1, …), whose name no
+/// file may bear. `name` as controllerName() gives it.
+bool isReserved(std::string_view name, const NameRules& rules);
+
 /// Names of a main program and its numbered parts, all different: the main name, then
-/// <name>_1, <name>_2, … with numbers of equal width.
-/// @throws Error(InvalidArgument) when maxLength leaves no room for the numbers
-std::vector<std::string> partNames(std::string_view text, std::size_t parts, std::size_t maxLength);
+/// <name>_1, <name>_2, … with numbers of equal width. A reserved name gets P_ in front.
+/// @throws Error(InvalidArgument) when the longest name leaves no room for the numbers
+std::vector<std::string> partNames(std::string_view text, std::size_t parts, const NameRules& rules);
 
 /// ASCII text for comments: other characters become '?', control characters blanks.
 std::string asciiComment(std::string_view text);

@@ -5,6 +5,7 @@
 #include "wcam/cell/joints.hpp"
 #include "wcam/geometry/types.hpp"
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,8 +28,8 @@ struct Origin {
 struct Target {
   JointVector joints;                   ///< controller values: robot joints, then positioner joints
   Pose T_base_tcp = Pose::Identity();   ///< in the robot base frame
-  Pose T_table_tcp = Pose::Identity();  ///< in the positioner's table frame (torch carried), else
-                                        ///< in the base frame
+  Pose T_table_tcp = Pose::Identity();  ///< in the frame of the table that carries the part: the
+                                        ///< positioner's, or the one on the flange
   /// Robot configuration as in CellFacts::configuration; empty: that of the target before.
   std::string configuration = {};
 };
@@ -117,6 +118,9 @@ struct Instruction {
 /// What a printer must know of the cell.
 struct CellFacts {
   std::string cellName;
+  std::string robotName = {};
+  std::string torchName = {};
+  std::string controller = {};  ///< make of the controller as the cell names it; empty: not known
   int robotJoints = 6;
   int positionerJoints = 0;
   bool partCarried = false;
@@ -125,10 +129,29 @@ struct CellFacts {
   /// Greatest speed of each joint, rad/s or mm/s; empty when not known. Needed by languages that
   /// give the speed of a joint move per axis.
   std::vector<double> jointSpeeds = {};
-  Pose T_flange_tcp = Pose::Identity();
-  Pose T_base_positioner = Pose::Identity();
+  Pose T_flange_tcp = Pose::Identity();  ///< torch carried: the tool frame of the controller
+  Pose T_flange_table = Pose::Identity();  ///< part carried: the same, with the part
+  Pose T_base_tcp = Pose::Identity();      ///< part carried: the fixed torch
+  Pose T_base_root = Pose::Identity();     ///< frame that the positioner's first joint starts from
+  Pose T_base_table = Pose::Identity();    ///< the positioner's table with all its joints at 0
   /// Robot configuration at the first move, per FANUC ("NUT": no-flip/flip, up/down, toward/back).
   std::string configuration = "NUT";
+};
+
+/// The process that a program was planned with.
+struct ProcessFacts {
+  double wireDiameter = 0.0;  ///< mm; 0: not known
+  double wireSpeed = 0.0;     ///< mm/s
+  int job = 1;
+};
+
+/// A place in a long bead where a program may be cut: the torch leaves the bead for a safe point
+/// and comes back from there.
+struct Lift {
+  std::size_t instruction = 0;  ///< index of the move that ends at the place
+  Target above;                 ///< the safe point, along the tool axis
+  double speed = 0.0;           ///< of the moves between place and safe point, mm/s
+  double speedRatio = 0.1;      ///< of the joint move to the safe point
 };
 
 struct Program {
@@ -136,6 +159,8 @@ struct Program {
   std::string projectName;
   CellFacts cell;
   std::vector<Instruction> instructions;
+  ProcessFacts process = {};
+  std::vector<Lift> lifts = {};  ///< in the order of the instructions
 };
 
 }  // namespace wcam::program

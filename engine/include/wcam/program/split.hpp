@@ -3,9 +3,11 @@
 #pragma once
 
 #include "wcam/base/context.hpp"
+#include "wcam/program/names.hpp"
 #include "wcam/program/program.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,21 +18,56 @@ namespace wcam::program {
 /// Number of positions that an instruction needs in a robot program: 0, 1 or 2.
 int targetCount(const Action& action) noexcept;
 
-/// Cuts a program into parts of at most `maxTargets` positions (0: one part). A part ends after a
-/// closed bead or a travel move with the arc off where that is possible; else in the bead, and the
-/// arc burns over the border.
-struct ProgramParts {
-  std::vector<std::size_t> ends;  ///< index past the last instruction of each part
-  std::size_t cutsWithArcOn = 0;
+/// How long one program of a controller may be.
+struct SplitLimits {
+  int positions = 0;  ///< 0: no limit
+  int lines = 0;      ///< 0: no limit
+  /// Lines that an instruction needs at most; empty: one.
+  std::function<int(const Action&)> linesOf = {};
+  int headLines = 0;  ///< lines of every program beside those of its instructions
 };
 
-/// @throws Error(InvalidArgument) when one instruction alone needs more positions
-ProgramParts splitProgram(const Program& program, int maxTargets);
+/// A part of a program that can be started alone: `lead`, the instructions from `begin` to `end`,
+/// `tail`.
+struct ProgramPart {
+  std::vector<Instruction> lead;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::vector<Instruction> tail;
+};
+
+struct ProgramParts {
+  std::vector<ProgramPart> parts;
+  std::size_t interruptedBeads = 0;  ///< cuts at Program::lifts: the arc stops and starts again
+  std::size_t cutsWithArcOn = 0;     ///< the arc burns over the border
+};
+
+/// Cuts a program into parts within the limits. A part begins with a joint move to a safe point: the
+/// one of the way between two beads, else one more to where the part before ended, with the torch
+/// lifted off. A bead that is longer than a part is interrupted at one of Program::lifts; where there
+/// is none it is cut with the arc on. Wire speeds are set anew in each part.
+/// @throws Error(InvalidArgument) when one instruction alone needs more than a part
+ProgramParts splitProgram(const Program& program, const SplitLimits& limits);
 
 /// One of the controller's programs that a program is written as.
 struct NamedPart {
   std::string name;
-  std::span<const Instruction> instructions;
+  std::vector<Instruction> lead;
+  std::span<const Instruction> body;
+  std::vector<Instruction> tail;
+
+  /// All instructions in order.
+  template <class Visit>
+  void forEach(const Visit& visit) const {
+    for (const std::span<const Instruction> piece :
+         {std::span<const Instruction>(lead), body, std::span<const Instruction>(tail)}) {
+      for (const Instruction& instruction : piece) {
+        visit(instruction);
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return lead.size() + body.size() + tail.size(); }
 };
 
 /// A program cut into programs of the controller.
@@ -43,14 +80,15 @@ struct NamedParts {
   [[nodiscard]] std::vector<std::string> calls() const;
 };
 
-/// Cuts and names a program as splitProgram and partNames do. A bead that is cut with the arc on is
-/// a finding (post.cut_with_arc_on).
+/// Cuts and names a program as splitProgram and partNames do. Findings: post.bead_interrupted (a
+/// warning), post.cut_with_arc_on (a violation: such a part cannot be started alone) and
+/// post.name_changed (the wanted name is a word of the language).
 /// @param name wanted for the main program; blank takes that of the program
 /// @throws Error(InvalidArgument) as splitProgram and partNames
 NamedParts splitNamed(const Program& program,
-                      int maxTargets,
+                      const SplitLimits& limits,
                       std::string_view name,
-                      std::size_t longestName,
+                      const NameRules& rules,
                       const JobContext& context);
 
 }  // namespace wcam::program

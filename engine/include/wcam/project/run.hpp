@@ -8,6 +8,7 @@
 #include "wcam/project/report.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,22 @@ struct RunRequest {
   bool checkOnly = false;  ///< compute and look, write nothing
 };
 
+/// A program that is not written, since checks are violated.
+struct KeptBack {
+  std::string operation;
+  std::string output;  ///< empty: all outputs of the operation, by its own violations
+};
+
 struct RunResult {
-  std::vector<OperationResult> operations;  ///< those that could be computed
+  /// Those that could be computed. Their findings include those of their outputs.
+  std::vector<OperationResult> operations;
   std::vector<WrittenFile> files;
   std::vector<RunFailure> failures;
   std::vector<Diagnostic> projectFindings;  ///< of the project and its files: changed hashes, ...
   /// Files that the report of an earlier run in the folder names and this run has not written: they
   /// may be out of date.
   std::vector<std::string> leftFiles;
+  std::vector<KeptBack> keptBack;
   std::size_t violations = 0;  ///< operations with violations
   bool written = false;        ///< false for a check, and when no operation could be computed
   Value report;                ///< report.json
@@ -39,10 +48,27 @@ struct RunResult {
   [[nodiscard]] int exitCode() const;
 };
 
+/// What the post-processor of an output makes of an operation.
+struct PrintedOutput {
+  std::vector<plugin::OutputFile> files;  ///< none with a violation
+  std::vector<Diagnostic> findings;       ///< with operation and output named
+  std::optional<Error> error;             ///< why there are no files
+};
+
+/// Runs the post-processor of an output. @throws CancelledError
+PrintedOutput printOutput(const Pipeline& pipeline,
+                          const Output& output,
+                          const OperationResult& operation,
+                          const JobContext& context);
+
+/// Does an output print this operation?
+bool prints(const Output& output, const std::string& operation);
+
 /// Computes the operations and writes their programs, tables and report.json. Everything is
 /// computed before the first file is written, each file is replaced atomically, so that a failure
 /// or a cancel leaves no half-written output, and no empty folder. An operation with violations
-/// gets no robot program: its findings tell why. A failing operation does not stop the others; when
+/// gets no robot program: its findings say why. So do those of an output, whose program is then kept
+/// back alone. A failing operation does not stop the others; when
 /// all fail, nothing is written.
 /// @throws Error for problems of the request or the whole project: ProjectReadOnly for a project of
 /// a newer format, since a robot program made from what is understood of it could be wrong;
