@@ -6,9 +6,7 @@ include(GoogleTest)
 # What is measured is in the engine: the tests themselves need not be fast, but be built fast.
 set(wcam_test_options "$<$<CONFIG:Release>:-O1>")
 
-# What every test includes, compiled once: half of the time of a test file goes into these headers. The build of
-# the fuzz targets does without it, so the tests that it builds show an include that is missing.
-option(WCAM_PRECOMPILE "Compile the headers that everything includes once" ON)
+# What every test includes, compiled once: half of the time of a test file goes into these headers.
 if(WCAM_PRECOMPILE)
   add_executable(wcam_test_precompiled EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/tests/support/precompiled.cpp")
   target_compile_options(wcam_test_precompiled PRIVATE ${wcam_test_options})
