@@ -41,12 +41,26 @@ Vec2 leftOf(const Vec2& u) {
   return {-u.y(), u.x()};
 }
 
-/// A piece of a bead with the area beside it; a corner or an end has no length.
+/// Area beside a place of a bead.
 struct Share {
   double s = 0.0;
-  double length = 0.0;
   double area = 0.0;
 };
+
+/// A ray from a bead to where its room ends.
+struct Ray {
+  double s = 0.0;
+  Vec2 foot = Vec2::Zero();
+  Vec2 tip = Vec2::Zero();
+};
+
+/// Area between two neighbouring rays; positive when the second one stands ahead of the first on
+/// the left of the bead.
+double areaBetween(const Ray& a, const Ray& b) {
+  const Vec2 p = b.tip - a.foot;
+  const Vec2 q = a.tip - b.foot;
+  return 0.5 * (p.x() * q.y() - p.y() * q.x());
+}
 
 class RoomSharer {
 public:
@@ -82,47 +96,80 @@ public:
   }
 
 private:
-  /// Rays across every piece, fans outside corners and around ends.
+  /// Rays across every piece on both sides, fans outside corners and around ends.
   [[nodiscard]] std::vector<Share> sharesOf(const Polyline2& line, bool closed, double own) const {
     std::vector<Share> shares;
-    const std::size_t n = line.size();
-    const std::size_t edges = closed ? n : n - 1;
-    const auto direction = [&](std::size_t edge) {
-      return Vec2((line[(edge + 1) % n] - line[edge]).normalized());
-    };
-    double s = 0.0;
-    for (std::size_t i = 0; i < edges; ++i) {
-      const Vec2 a = line[i];
-      const Vec2 d = line[(i + 1) % n] - a;
-      const double length = d.norm();
-      const Vec2 u = d / length;
-      if (closed || i > 0) {
-        shares.push_back({s, 0.0, corner(a, direction((i + edges - 1) % edges), u, own)});
-      } else {
-        shares.push_back({s, 0.0, fan(a, leftOf(u), kPi, own)});
-      }
-      const auto pieces = static_cast<std::size_t>(
-          std::max(1.0, std::ceil(length / (kPiece * options_.width) - kFoot)));
-      const double piece = length / static_cast<double>(pieces);
-      for (std::size_t k = 0; k < pieces; ++k) {
-        const double along = (static_cast<double>(k) + 0.5) * piece;
-        const Vec2 foot = a + along * u;
-        const double across = ray(foot, leftOf(u), own) + ray(foot, -leftOf(u), own);
-        shares.push_back({s + along, piece, piece * across});
-      }
-      s += length;
-    }
+    addSide(line, closed, own, 1.0, shares);
+    addSide(line, closed, own, -1.0, shares);
     if (!closed) {
-      const Vec2 u = direction(edges - 1);
-      shares.push_back({s, 0.0, fan(line.back(), -leftOf(u), kPi, own)});
+      const std::size_t n = line.size();
+      const Vec2 first = (line[1] - line[0]).normalized();
+      const Vec2 last = (line[n - 1] - line[n - 2]).normalized();
+      shares.push_back({0.0, fan(line.front(), leftOf(first), kPi, own)});
+      shares.push_back(
+          {geometry::polylineLength(line, false), fan(line.back(), -leftOf(last), kPi, own)});
     }
     return shares;
   }
 
-  /// The sector outside a corner between the normals of both sides.
-  [[nodiscard]] double corner(const Vec2& p, const Vec2& u, const Vec2& v, double own) const {
-    const double turn = std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
-    return turn > 0.0 ? fan(p, -leftOf(u), turn, own) : fan(p, leftOf(u), turn, own);
+  /// @param side 1: on the left, -1: on the right
+  void addSide(const Polyline2& line,
+               bool closed,
+               double own,
+               double side,
+               std::vector<Share>& shares) const {
+    const std::size_t n = line.size();
+    const std::size_t edges = closed ? n : n - 1;
+    const auto normal = [&](std::size_t edge) {
+      return Vec2(side * leftOf((line[(edge + 1) % n] - line[edge]).normalized()));
+    };
+    std::vector<Ray> rays;
+    const auto cast = [&](double s, const Vec2& foot, const Vec2& direction, double half = 0.0) {
+      rays.push_back({s, foot, foot + ray(foot, direction, own, half) * direction});
+    };
+    // Rays at a corner: one along the bisector inside it, one along each normal outside.
+    const auto corner = [&](double s, std::size_t before, std::size_t after) {
+      const Vec2 in = normal(before);
+      const Vec2 out = normal(after);
+      const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+      const Vec2 middle = in + out;
+      if (side * turn > 0.0 && middle.norm() > 0.0) {
+        cast(s, line[after], middle.normalized(), 0.5 * std::abs(turn));
+        return;
+      }
+      cast(s, line[after], in);
+      shares.push_back({s, fan(line[after], in, turn, own)});
+      cast(s, line[after], out);
+    };
+    double s = 0.0;
+    for (std::size_t i = 0; i < edges; ++i) {
+      if (closed || i > 0) {
+        corner(s, (i + edges - 1) % edges, i);
+      } else {
+        cast(s, line[0], normal(0));
+      }
+      const Vec2 d = line[(i + 1) % n] - line[i];
+      const double length = d.norm();
+      const auto pieces = static_cast<std::size_t>(
+          std::max(1.0, std::ceil(length / (kPiece * options_.width) - kFoot)));
+      for (std::size_t k = 0; k < pieces; ++k) {
+        const double along = (static_cast<double>(k) + 0.5) / static_cast<double>(pieces);
+        cast(s + along * length, line[i] + along * d, normal(i));
+      }
+      s += length;
+    }
+    if (closed) {
+      rays.push_back(rays.front());
+      rays.back().s = s;
+    } else {
+      cast(s, line[n - 1], normal(edges - 1));
+    }
+    for (std::size_t i = 1; i < rays.size(); ++i) {
+      if (rays[i].s > rays[i - 1].s) {
+        shares.push_back({0.5 * (rays[i - 1].s + rays[i].s),
+                          std::max(0.0, side * areaBetween(rays[i - 1], rays[i]))});
+      }
+    }
   }
 
   [[nodiscard]] double fan(const Vec2& p, const Vec2& from, double angle, double own) const {
@@ -136,15 +183,19 @@ private:
     return area;
   }
 
-  /// How far the room of a bead reaches from a point on it: to the bisector of the nearest other
-  /// place of a bead (the ball that touches here and there shrinks until it holds nothing else, Ma
-  /// 2012), or to the border.
-  [[nodiscard]] double ray(const Vec2& p, const Vec2& n, double own) const {
+  /// How far the room of a bead reaches from a point on it: to where another place of a bead is as
+  /// near (the ball that touches here and there shrinks until it holds nothing else, Ma 2012), or
+  /// to the border.
+  /// @param half inside a corner, along its bisector: half the angle by which the bead turns there;
+  /// the ball then touches both of its sides
+  [[nodiscard]] double ray(const Vec2& p, const Vec2& n, double own, double half = 0.0) const {
     const double foot = kFoot * options_.width;
-    double reach = 0.5 * std::max(own, options_.maxWidth);
+    const double near = std::cos(half);
+    const double sine2 = 1.0 - near * near;
+    double reach = 0.5 * std::max(own, options_.maxWidth) / std::max(near, kFoot);
     constexpr int kShrinks = 32;
     for (int k = 0; k < kShrinks; ++k) {
-      const auto nearest = tree_.nearestWithin(inSpace(p + reach * n), reach - foot);
+      const auto nearest = tree_.nearestWithin(inSpace(p + reach * n), near * reach - foot);
       if (!nearest) {
         break;
       }
@@ -153,7 +204,9 @@ private:
       if (away.norm() < foot || !(ahead > 0.0)) {
         break;
       }
-      reach = std::min(reach, 0.5 * away.squaredNorm() / ahead);
+      // |reach·n − away| = near·reach, the smaller root.
+      const double root = ahead * ahead - sine2 * away.squaredNorm();
+      reach = std::min(reach, away.squaredNorm() / (ahead + std::sqrt(std::max(0.0, root))));
     }
     return std::min(reach, toBorder(p, n, reach, 0.5 * (own + height_)));
   }
@@ -179,47 +232,42 @@ private:
     return std::min(way, atMost);
   }
 
-  /// Averages over a bead width with triangular weights, keeping the whole area.
+  /// Averages over a bead width with triangular weights. The whole area is kept: what would go
+  /// beyond an end comes back from it.
   [[nodiscard]] FillRoom smoothed(const std::vector<Share>& shares,
                                   double length,
                                   double fullLength,
                                   bool closed) const {
-    const auto count = static_cast<std::size_t>(
-        std::max(1.0, std::ceil(length / (kPiece * options_.width) - kFoot)));
-    const double piece = length / static_cast<double>(count);
-    const double reach = std::max(options_.width, 2.0 * piece);
-    std::vector<double> area(count, 0.0);
-    std::vector<double> weight(count, 0.0);
-    const auto pieces = static_cast<long>(count);
-    const auto half = static_cast<long>(std::ceil(reach / piece)) + 1;
-    double whole = 0.0;
-    for (const Share& share : shares) {
-      whole += share.area;
-      const auto here = static_cast<long>(share.s / piece);
-      // A short closed bead is its own neighbour only once.
-      const long from = closed ? std::max(here - half, here - (pieces - 1) / 2) : here - half;
-      const long to = closed ? std::min(here + half, here + pieces / 2) : here + half;
-      for (long k = from; k <= to; ++k) {
-        if (!closed && (k < 0 || k >= pieces)) {
-          continue;
-        }
-        const double centre = (static_cast<double>(k) + 0.5) * piece;
-        const double w = 1.0 - std::abs(share.s - centre) / reach;
-        if (w > 0.0) {
-          const auto at = static_cast<std::size_t>((k % pieces + pieces) % pieces);
-          area[at] += w * share.area;
-          weight[at] += w * share.length;
-        }
+    const auto pieces =
+        static_cast<long>(std::max(1.0, std::ceil(length / (kPiece * options_.width) - kFoot)));
+    const double piece = length / static_cast<double>(pieces);
+    const double reach = std::max(options_.width, piece);
+    const auto half = static_cast<long>(std::ceil(reach / piece));
+    const auto inside = [&](long k) {
+      if (closed) {
+        return (k % pieces + pieces) % pieces;
       }
-    }
-    double sum = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      area[k] = weight[k] > 0.0 ? area[k] / weight[k] : 0.0;
-      sum += area[k] * piece;
+      const long folded = (k % (2 * pieces) + 2 * pieces) % (2 * pieces);
+      return folded < pieces ? folded : 2 * pieces - 1 - folded;
+    };
+    std::vector<double> area(static_cast<std::size_t>(pieces), 0.0);
+    for (const Share& share : shares) {
+      const auto here = static_cast<long>(share.s / piece);
+      const auto weight = [&](long k) {
+        return std::max(0.0,
+                        1.0 - std::abs(share.s - (static_cast<double>(k) + 0.5) * piece) / reach);
+      };
+      double sum = 0.0;
+      for (long k = here - half; k <= here + half; ++k) {
+        sum += weight(k);
+      }
+      for (long k = here - half; k <= here + half; ++k) {
+        area[static_cast<std::size_t>(inside(k))] += share.area * weight(k) / sum;
+      }
     }
     const double narrowest = options_.overlap * options_.minWidth;
     for (double& width : area) {
-      width = std::clamp(sum > 0.0 ? width * whole / sum : 0.0, narrowest, options_.maxWidth);
+      width = std::clamp(width / piece, narrowest, options_.maxWidth);
     }
     return {std::move(area), fullLength, closed};
   }

@@ -368,8 +368,10 @@ TEST(FillRoom, IsTheCentreDistanceInsideAndReachesTheBorder) {
     const FillBead& bead = fill.beads[b];
     const double length = geometry::polylineLength(bead.points, bead.closed);
     if (bead.closed) {
-      // Half a width to the border, half a spacing to the ends of the lines; corners have more.
-      const double expected = 3.0 + 2.001;
+      // Half a width to the border, and half the way to the first line: 26 mm between the last
+      // places for lines hold six gaps, and what is left lies on both sides.
+      const double left = 0.5 * (40.0 - 2.0 * (3.0 + 4.002) - 6.0 * 4.002);
+      const double expected = 3.0 + 0.5 * (4.002 + left);
       EXPECT_NEAR(rooms[b].at(0.125 * length), expected, 0.03);
     } else if (std::abs(bead.points[0].y() - 20.0) < 8.0) {
       ++lines;
