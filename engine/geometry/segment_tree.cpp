@@ -33,15 +33,19 @@ double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - (a + footOn(p, a, b) * (b - a))).norm();
 }
 
+void SegmentTree::add(const Vec3& a, const Vec3& b) {
+  segments_.push_back({a, b, static_cast<std::uint32_t>(segments_.size())});
+}
+
 void SegmentTree::add(const std::vector<Vec3>& polyline, bool closed) {
   if (polyline.size() == 1) {
-    segments_.push_back({polyline[0], polyline[0]});
+    add(polyline[0], polyline[0]);
   }
   for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
-    segments_.push_back({polyline[i], polyline[i + 1]});
+    add(polyline[i], polyline[i + 1]);
   }
   if (closed && polyline.size() > 2) {
-    segments_.push_back({polyline.back(), polyline.front()});
+    add(polyline.back(), polyline.front());
   }
 }
 
@@ -59,9 +63,9 @@ std::uint32_t SegmentTree::buildNode(std::uint32_t begin, std::uint32_t end) {
   Box box;
   Box centres;
   for (std::uint32_t i = begin; i < end; ++i) {
-    box.add(segments_[i][0]);
-    box.add(segments_[i][1]);
-    centres.add(0.5 * (segments_[i][0] + segments_[i][1]));
+    box.add(segments_[i].a);
+    box.add(segments_[i].b);
+    centres.add(0.5 * (segments_[i].a + segments_[i].b));
   }
   std::uint32_t right = 0;
   if (end - begin > kLeafSize) {
@@ -70,7 +74,7 @@ std::uint32_t SegmentTree::buildNode(std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t middle = begin + (end - begin) / 2;
     std::nth_element(segments_.begin() + begin, segments_.begin() + middle, segments_.begin() + end,
                      [axis](const auto& s, const auto& t) {
-                       return s[0][axis] + s[1][axis] < t[0][axis] + t[1][axis];
+                       return s.a[axis] + s.b[axis] < t.a[axis] + t.b[axis];
                      });
     buildNode(begin, middle);
     right = buildNode(middle, end);
@@ -79,8 +83,12 @@ std::uint32_t SegmentTree::buildNode(std::uint32_t begin, std::uint32_t end) {
   return index;
 }
 
+namespace {
+constexpr auto kEverySegment = [](std::uint32_t) { return true; };
+}  // namespace
+
 double SegmentTree::distance(const Vec3& p, double atMost) const {
-  return find(p, atMost).distance;
+  return find(p, atMost, kEverySegment).distance;
 }
 
 Vec3 SegmentTree::nearest(const Vec3& p) const {
@@ -93,11 +101,24 @@ Vec3 SegmentTree::nearest(const Vec3& p) const {
 
 SegmentTree::Nearest SegmentTree::nearestSegment(const Vec3& p) const {
   WCAM_ASSERT(!segments_.empty());
-  const auto& [a, b] = segments_[find(p, std::numeric_limits<double>::infinity()).segment];
-  return {a, b, footOn(p, a, b)};
+  const Segment& s =
+      segments_[find(p, std::numeric_limits<double>::infinity(), kEverySegment).segment];
+  return {s.a, s.b, footOn(p, s.a, s.b)};
 }
 
-SegmentTree::Found SegmentTree::find(const Vec3& p, double atMost) const {
+std::optional<Vec3> SegmentTree::nearestWithin(const Vec3& p,
+                                               double within,
+                                               const Filter& counts) const {
+  const Found found = counts ? find(p, within, counts) : find(p, within, kEverySegment);
+  if (!(found.distance < within)) {
+    return std::nullopt;
+  }
+  const Segment& s = segments_[found.segment];
+  return s.a + footOn(p, s.a, s.b) * (s.b - s.a);
+}
+
+template <class Counts>
+SegmentTree::Found SegmentTree::find(const Vec3& p, double atMost, const Counts& counts) const {
   Found best{atMost, 0};
   if (segments_.empty()) {
     return best;
@@ -113,8 +134,9 @@ SegmentTree::Found SegmentTree::find(const Vec3& p, double atMost) const {
     }
     if (node.right == 0) {
       for (std::uint32_t i = node.begin; i < node.end; ++i) {
-        const double distance = distanceToSegment(p, segments_[i][0], segments_[i][1]);
-        if (distance < best.distance) {
+        const Segment& segment = segments_[i];
+        const double distance = distanceToSegment(p, segment.a, segment.b);
+        if (distance < best.distance && counts(segment.number)) {
           best = {distance, i};
         }
       }

@@ -5,6 +5,8 @@
 
 #include "wcam/base/text.hpp"
 
+#include "touching_beads.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -70,10 +72,21 @@ const Schema<ProcessParams>& ProcessParams::schema() {
                                               .max = 10.0})
           .add(&ProcessParams::wireSpeed, {.key = "wire_speed",
                                            .label = "Wire feed speed",
-                                           .help = "Constant over the whole operation.",
+                                           .help = "Constant, except where edits, ramps or beads "
+                                                   "side by side need another one.",
                                            .group = "Wire",
                                            .min = 0.05,
                                            .max = 60.0})
+          .add(&ProcessParams::wireSpeedMin,
+               {.key = "wire_speed_min",
+                .label = "Minimum wire feed speed",
+                .help = "Beads side by side need less material than single ones. Where the maximum "
+                        "travel speed still deposits too much, the wire feed is lowered down to "
+                        "this value. Set it to the wire feed speed to keep the feed constant.",
+                .group = "Wire",
+                .level = ParamLevel::Advanced,
+                .min = 0.0,
+                .max = 60.0})
           .add(&ProcessParams::beadWidth, {.key = "bead_width",
                                            .label = "Bead width",
                                            .help = "Stabilised width of a wall of one bead.",
@@ -126,6 +139,11 @@ double wallSection(double height, double width) noexcept {
   const double h = std::clamp(height, 0.0, width);
   return h * std::sqrt(std::max(0.0, r * r - 0.25 * h * h)) +
          2.0 * r * r * std::asin(std::min(1.0, h / (2.0 * r)));
+}
+
+double beadSection(const toolpath::PathPoint& point) noexcept {
+  return point.fillWidth > 0.0 ? point.fillWidth * point.height
+                               : wallSection(point.height, point.width);
 }
 
 namespace {
@@ -187,19 +205,30 @@ struct Wanted {
   double wire = 0.0;
 };
 
+/// Beads that fill a layer keep their section at the maximum travel speed with less wire.
+Wanted plannedAt(const toolpath::PathPoint& point, const ProcessParams& params) {
+  const double section = std::max(beadSection(point), kVanishing);
+  Wanted planned{feedRate(params) / section, params.wireSpeed.value()};
+  if (point.fillWidth > 0.0 && planned.speed > params.speedMax.value()) {
+    const double least = std::min(params.wireSpeedMin.value(), planned.wire);
+    planned.wire = std::max(least, section * params.speedMax.value() / wireArea(params));
+    planned.speed = wireArea(params) * planned.wire / section;
+  }
+  return planned;
+}
+
 Wanted wantedAt(const toolpath::PathPoint& point, const ProcessParams& params) {
-  const double planned = travelSpeed(point.height, point.width, params);
-  Wanted wanted{planned, params.wireSpeed.value()};
+  Wanted wanted = plannedAt(point, params);
   const toolpath::ProcessChange& change = point.change;
   if (change.section == toolpath::SectionRule::Plan) {
     return wanted;
   }
   const double low = params.speedMin.value();
   const double high = params.speedMax.value();
-  const double base = std::clamp(planned, low, high);
+  const double base = std::clamp(wanted.speed, low, high);
   wanted.speed = change.speedIsValue ? change.speed : base * change.speed;
   wanted.wire = change.wireIsValue ? change.wire : wanted.wire * change.wire;
-  const double section = std::max(wallSection(point.height, point.width), kVanishing);
+  const double section = std::max(beadSection(point), kVanishing);
   if (change.section == toolpath::SectionRule::Wire) {
     wanted.wire = section * std::clamp(wanted.speed, low, high) / wireArea(params);
   } else if (change.section == toolpath::SectionRule::Speed) {
@@ -212,7 +241,15 @@ Wanted wantedAt(const toolpath::PathPoint& point, const ProcessParams& params) {
 void followWidth(toolpath::PathPoint& point, const Wanted& wanted, const ProcessParams& params) {
   if (point.change.section == toolpath::SectionRule::Width && point.height > 0.0) {
     const double speed = std::clamp(wanted.speed, params.speedMin.value(), params.speedMax.value());
-    point.width = widthOfSection(wireArea(params) * wanted.wire / speed, point.height);
+    const double section = wireArea(params) * wanted.wire / speed;
+    if (point.fillWidth > 0.0) {
+      // Beside neighbours the bead keeps its shape: all of its widths grow alike.
+      const double grown = section / (point.fillWidth * point.height);
+      point.width *= grown;
+      point.fillWidth *= grown;
+    } else {
+      point.width = widthOfSection(section, point.height);
+    }
   }
 }
 
@@ -261,15 +298,67 @@ struct Starved {
 
 }  // namespace
 
+namespace {
+
+/// Points of a layer whose wire feed is lowered.
+struct Lowered {
+  std::size_t count = 0;
+  double lowest = 0.0;
+  int bead = -1;
+  int point = -1;
+
+  void add(const toolpath::PathPoint& at,
+           const Wanted& wanted,
+           const ProcessParams& params,
+           std::size_t beadIndex,
+           std::size_t pointIndex) {
+    // By less than this part, rounding did it.
+    constexpr double kRounding = 1e-9;
+    if (at.change.section != toolpath::SectionRule::Plan || !(at.fillWidth > 0.0) ||
+        wanted.wire >= (1.0 - kRounding) * params.wireSpeed.value()) {
+      return;
+    }
+    ++count;
+    if (bead < 0 || wanted.wire < lowest) {
+      lowest = wanted.wire;
+      bead = static_cast<int>(beadIndex);
+      point = static_cast<int>(pointIndex);
+    }
+  }
+
+  void report(int layer, const ProcessParams& params, const JobContext& context) const {
+    if (count == 0) {
+      return;
+    }
+    constexpr double kMmPerSecond = 1000.0 / 60.0;  // in a metre per minute
+    context.add(
+        {Severity::Information,
+         "process.wire_lowered",
+         text("%1 points beside other beads need less material than the wire feed of %2 m/min "
+              "deposits at the maximum travel speed; their wire feed is lowered, to %3 m/min or "
+              "more",
+              {std::to_string(count), formatFixed(params.wireSpeed.value() / kMmPerSecond, 2),
+               formatFixed(lowest / kMmPerSecond, 2)}),
+         text("for a constant wire feed set wire_speed to %1 m/min or less",
+              {formatFixed(std::floor(100.0 * lowest / kMmPerSecond) / 100.0, 2)}),
+         {{}, layer, bead, point},
+         {{"points", static_cast<double>(count)}, {"lowest_m_min", lowest / kMmPerSecond}}});
+  }
+};
+
+}  // namespace
+
 toolpath::Toolpath applyProcess(toolpath::Toolpath path,
                                 const ProcessParams& params,
                                 const JobContext& context) {
   checkWindows(params);
+  shareTouchingBeads(path, params.beadWidth.value(), context);
   for (std::size_t l = 0; l < path.layers.size(); ++l) {
     context.check();
     Outside speeds;
     Outside heights;
     Starved starved;
+    Lowered lowered;
     double worstLimit = params.heightMax.value();
     auto& beads = path.layers[l].beads;
     for (std::size_t b = 0; b < beads.size(); ++b) {
@@ -286,6 +375,7 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
           continue;
         }
         starved.add(point, wanted, params, b, i);
+        lowered.add(point, wanted, params, b, i);
         followWidth(point, wanted, params);
         speeds.add(wanted.speed, params.speedMin.value(), params.speedMax.value(), b, i);
         // A bead is never higher than wide: its discs would no longer touch.
@@ -297,6 +387,7 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
     }
     const auto layer = static_cast<int>(l);
     starved.report(layer, context);
+    lowered.report(layer, params, context);
     if (heights.count > 0) {
       context.add(
           {Severity::Warning,
@@ -333,7 +424,7 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
         if (!point.arc) {
           continue;
         }
-        const double wanted = travelSpeed(point.height, point.width, params);
+        const double wanted = plannedAt(point, params).speed;
         const bool planned = point.change.section == toolpath::SectionRule::Plan;
         s.clampedPoints +=
             planned && (wanted < params.speedMin.value() || wanted > params.speedMax.value()) ? 1U
@@ -343,7 +434,7 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
           s.length += length;
           s.time += length / point.speed;
           s.wireLength += point.wireSpeed * length / point.speed;
-          s.wantedVolume += wallSection(point.height, point.width) * length;
+          s.wantedVolume += beadSection(point) * length;
         }
       }
     }

@@ -47,6 +47,7 @@ Bead makeBead(const Contour& contour, const SlicedLayer& layer, bool reversed) {
     setFrame(point, tangentAt(before, here.p, after), reversed ? Vec3(-here.n) : here.n, layer.up);
     point.height = here.height;
     point.width = here.width;
+    point.fillWidth = here.fillWidth;
   }
   return bead;
 }

@@ -7,7 +7,7 @@
 
 namespace wcam::toolpath {
 
-/// Point at a part of the way from a to b on their chord: normal, height, width and axis go along,
+/// Point at a part of the way from a to b on their chord: normal, height, widths and axis go along,
 /// as far as both have them.
 inline ContourPoint between(const ContourPoint& a, const ContourPoint& b, double fraction) {
   const auto mix = [fraction](double x, double y) {
@@ -22,6 +22,7 @@ inline ContourPoint between(const ContourPoint& a, const ContourPoint& b, double
   point.n = direction(a.n, b.n);
   point.height = mix(a.height, b.height);
   point.width = mix(a.width, b.width);
+  point.fillWidth = mix(a.fillWidth, b.fillWidth);
   if (a.axis.norm() > 0.0 && b.axis.norm() > 0.0) {
     point.axis = direction(a.axis, b.axis);
   }

@@ -56,18 +56,6 @@ void check(const FillOptions& o) {
   }
 }
 
-double referenceOffset(const FillOptions& o) {
-  switch (o.reference) {
-    case BeadReference::Inside:
-      return 0.5 * o.width;
-    case BeadReference::Centre:
-      return 0.0;
-    case BeadReference::Outside:
-      return -0.5 * o.width;
-  }
-  return 0.0;
-}
-
 bool isHatched(FillPattern pattern) {
   return pattern == FillPattern::Raster || pattern == FillPattern::Zigzag ||
          pattern == FillPattern::Hybrid || pattern == FillPattern::Continuous;
@@ -81,7 +69,7 @@ public:
       : region_(region),
         o_(options),
         spacing_(options.spacing()),
-        first_(referenceOffset(options)),
+        first_(options.firstCentreLine()),
         offset_{CornerJoin::Miter, 2.0, options.tolerance} {}
 
   FillResult run() {
@@ -280,7 +268,6 @@ private:
     Vec2 widest = branch.points.front().p;
     bool any = false;
     const auto finish = [&] {
-      bead.share = meanShare(bead, level);
       if (bead.points.size() > 1 && geometry::polylineLength(bead.points, false) >= o_.minLength) {
         any = true;
         result_.beads.push_back(bead);
@@ -322,7 +309,6 @@ private:
       bead.points.pop_back();
       bead.widths.pop_back();
       bead.closed = true;
-      bead.share = meanShare(bead, level);
       any = true;
       result_.beads.push_back(bead);
     } else {
@@ -332,14 +318,6 @@ private:
     if (level == 0 && axisLength >= o_.minLength && thickest < needed * (1.0 - kRounding)) {
       result_.narrow.push_back({widest, thickest, any});
     }
-  }
-
-  [[nodiscard]] double meanShare(const FillBead& bead, int level) const {
-    double sum = 0.0;
-    for (const double width : bead.widths) {
-      sum += thicknessOf(width, level);
-    }
-    return bead.widths.empty() ? 0.0 : sum / static_cast<double>(bead.widths.size());
   }
 
   void push(FillBead& bead, const Vec2& p, double width) const {
@@ -413,6 +391,18 @@ private:
 
 }  // namespace
 
+double FillOptions::firstCentreLine() const {
+  switch (reference) {
+    case BeadReference::Inside:
+      return 0.5 * width;
+    case BeadReference::Centre:
+      return 0.0;
+    case BeadReference::Outside:
+      return -0.5 * width;
+  }
+  return 0.0;
+}
+
 FillResult fillRegion(const Region2& region, const FillOptions& options) {
   check(options);
   return Filler(region, options).run();
@@ -425,20 +415,13 @@ FillCoverage fillCoverage(const Region2& region,
   const double tolerance = kStrokeTolerance * options.width;
   FillCoverage coverage;
   coverage.area = region.area();
-  coverage.capacity =
-      geometry::offsetRegion(region, 0.5 * options.spacing() - referenceOffset(options),
-                             {CornerJoin::Miter, 2.0, tolerance})
-          .area();
   std::vector<geometry::Stroke2> strokes;
   for (const FillBead& bead : beads) {
-    const double length = geometry::polylineLength(bead.points, bead.closed);
     if (bead.widths.empty()) {
-      coverage.deposited += length * options.spacing();
       strokes.push_back({geometry::simplified(bead.points, bead.closed, tolerance),
                          {options.width},
                          bead.closed});
     } else {
-      coverage.deposited += length * bead.share;
       strokes.push_back({bead.points, bead.widths, bead.closed});
     }
   }

@@ -84,6 +84,8 @@ ContourPoint between(const ContourPoint& a, const ContourPoint& b) {
   // Zero stands for a value that is not known.
   middle.height = a.height > 0.0 && b.height > 0.0 ? 0.5 * (a.height + b.height) : 0.0;
   middle.width = a.width > 0.0 && b.width > 0.0 ? 0.5 * (a.width + b.width) : 0.0;
+  middle.fillWidth =
+      a.fillWidth > 0.0 && b.fillWidth > 0.0 ? 0.5 * (a.fillWidth + b.fillWidth) : 0.0;
   middle.axis = a.axis.isZero() || b.axis.isZero() ? Vec3(Vec3::Zero()) : mean(a.axis, b.axis);
   return middle;
 }

@@ -29,6 +29,7 @@ PathPoint pointBetween(const PathPoint& a, const PathPoint& b, double fraction) 
   point.distance = mix(a.distance, b.distance);
   point.height = mix(a.height, b.height);
   point.width = mix(a.width, b.width);
+  point.fillWidth = a.fillWidth > 0.0 && b.fillWidth > 0.0 ? mix(a.fillWidth, b.fillWidth) : 0.0;
   return point;
 }
 

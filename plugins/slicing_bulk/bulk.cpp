@@ -9,6 +9,7 @@
 #include "bulk_section.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace {
@@ -61,14 +62,18 @@ void reportCoverage(const FillCoverage& coverage,
          {},
          std::move(data)});
   }
-  if (coverage.fillRatio() > params.mostFill) {
+}
+
+/// The narrowest beads may hold more than their room: by volume, as the layer height is the same.
+void reportOverfill(double ratio, const Params& params, FilledLayer& layer) {
+  if (ratio > params.mostFill) {
     layer.findings.push_back({Severity::Warning,
                               "slicing.overfill",
-                              text("the beads need %1 % of the room they have and pile up",
-                                   {formatFixed(100.0 * coverage.fillRatio(), 1)}),
+                              text("the beads hold %1 % of the volume of the layer and pile up",
+                                   {formatFixed(100.0 * ratio, 1)}),
                               "use fewer walls, the medial pattern or a narrower bead",
                               {},
-                              {{"fill_percent", 100.0 * coverage.fillRatio()}}});
+                              {{"fill_percent", 100.0 * ratio}}});
   }
 }
 
@@ -102,6 +107,38 @@ void reportNarrow(const FillResult& fill, const LayerPlane& plane, FilledLayer& 
        std::move(data)});
 }
 
+/// What a layer has to fill: from the plane below to its own.
+struct Slab {
+  double thickness = 0.0;               ///< mm
+  const SlicedLayer* middle = nullptr;  ///< section halfway through it, if that plane meets a part
+};
+
+/// The slab of each layer. Layers and sections stand in the order of the planes.
+std::vector<Slab> slabsOf(const SlicedLayers& sliced,
+                          const SlicedLayers& middles,
+                          const toolpath::PlaneStack& stack,
+                          const toolpath::PlaneStack& halfway) {
+  std::vector<Slab> slabs;
+  std::size_t plane = 0;
+  auto middle = middles.layers.begin();
+  for (const SlicedLayer& layer : sliced.layers) {
+    while (stack.levels[plane].value != layer.level) {
+      ++plane;
+    }
+    const double below = plane > 0 ? stack.levels[plane - 1].value : 0.0;
+    Slab slab{layer.level > below ? layer.level - below : layer.nominalHeight, nullptr};
+    const double value = halfway.levels[plane].value;
+    while (middle != middles.layers.end() && middle->level < value) {
+      ++middle;
+    }
+    if (middle != middles.layers.end() && middle->level == value) {
+      slab.middle = &*middle;
+    }
+    slabs.push_back(slab);
+  }
+  return slabs;
+}
+
 class LayerFiller {
 public:
   LayerFiller(const plugin::SliceInput& input,
@@ -112,10 +149,10 @@ public:
         stack_(stack),
         options_(params.fill(input.bead, input.sampling)) {}
 
-  [[nodiscard]] const FillOptions& options() const { return options_; }
-
   /// @param index of the layer among those that meet a part
-  [[nodiscard]] FilledLayer fill(const SlicedLayer& layer, std::size_t index) const {
+  [[nodiscard]] FilledLayer fill(const SlicedLayer& layer,
+                                 const Slab& slab,
+                                 std::size_t index) const {
     FilledLayer result;
     const LayerPlane plane(layer.up, stack_.base + layer.level, *input_.substrate);
     FillOptions options = options_;
@@ -129,21 +166,29 @@ public:
       }
     }
     for (const int part : parts) {
-      fillPart(layer, part, plane, options, result);
+      fillPart(layer, slab, part, plane, options, result);
+    }
+    for (Contour& contour : result.contours) {
+      setHeights(contour, layer, slab.thickness);
     }
     return result;
   }
 
 private:
+  [[nodiscard]] Region2 regionOf(const SlicedLayer& layer,
+                                 int part,
+                                 const LayerPlane& plane) const {
+    Region2 region = sectionRegion(layer, part, plane, kOutlineShare * input_.sampling.chordError);
+    return input_.substrate->isPlate() ? abovePlate(region, plane, *input_.substrate) : region;
+  }
+
   void fillPart(const SlicedLayer& layer,
+                const Slab& slab,
                 int part,
                 const LayerPlane& plane,
                 const FillOptions& options,
                 FilledLayer& result) const {
-    Region2 region = sectionRegion(layer, part, plane, kOutlineShare * input_.sampling.chordError);
-    if (input_.substrate->isPlate()) {
-      region = abovePlate(region, plane, *input_.substrate);
-    }
+    Region2 region = regionOf(layer, part, plane);
     if (params_.minArea > 0.0) {
       Region2 kept;
       for (const Region2& island : geometry::islandsOf(region)) {
@@ -157,12 +202,39 @@ private:
       return;
     }
     const FillResult fill = toolpath::fillRegion(region, options);
-    for (const toolpath::FillBead& bead : fill.beads) {
-      result.contours.push_back(toContour(bead, part, plane, input_.sampling));
+    // Where borders slope, the section halfway through the layer has its volume.
+    Region2 room = slab.middle != nullptr ? regionOf(*slab.middle, part, plane) : Region2{};
+    room = grownByReference(room.empty() ? region : room, options);
+    const std::vector<toolpath::FillRoom> rooms =
+        toolpath::shareRoom(room, fill.beads, options, slab.thickness);
+    for (std::size_t i = 0; i < fill.beads.size(); ++i) {
+      result.contours.push_back(toContour(fill.beads[i], rooms[i], part, plane, input_.sampling));
     }
     reportNarrow(fill, plane, result);
     if (options.pattern != toolpath::FillPattern::None) {
       reportCoverage(toolpath::fillCoverage(region, fill.beads, options), params_, plane, result);
+      reportOverfill(toolpath::fillRatio(room, rooms), params_, result);
+    }
+  }
+
+  /// Where the outermost bead reaches over the section's border, as stock, its room does too.
+  [[nodiscard]] Region2 grownByReference(Region2 region, const FillOptions& options) const {
+    const double grown = 0.5 * options.width - options.firstCentreLine();
+    return grown > 0.0
+               ? geometry::offsetRegion(
+                     region, grown, {geometry::CornerJoin::Miter, 2.0, input_.sampling.chordError})
+               : region;
+  }
+
+  /// Beads grow by the distance of the planes, or from the substrate where it is nearer.
+  void setHeights(Contour& contour, const SlicedLayer& layer, double whole) const {
+    const double steep = layer.up.dot(input_.substrate->up());
+    // A plane that stands upright on the substrate has no height above it.
+    constexpr double kUpright = 1e-3;
+    for (toolpath::ContourPoint& point : contour.points) {
+      const double above =
+          steep > kUpright ? input_.substrate->heightAbove(point.p) / steep : whole;
+      point.height = above > 0.0 ? std::min(whole, above) : whole;
     }
   }
 
@@ -171,6 +243,18 @@ private:
   const toolpath::PlaneStack& stack_;
   FillOptions options_;
 };
+
+/// Planes halfway through the layers, for their volume.
+toolpath::PlaneStack middlesOf(const toolpath::PlaneStack& stack) {
+  toolpath::PlaneStack middles = stack;
+  double below = 0.0;
+  for (std::size_t l = 0; l < stack.levels.size(); ++l) {
+    const double value = stack.levels[l].value;
+    middles.levels[l].value = value > below ? 0.5 * (below + value) : value;
+    below = value;
+  }
+  return middles;
+}
 
 /// The planes' sections, not cut by a plate: closed contours stay closed and are cut as areas.
 SlicedLayers sections(const plugin::SliceInput& input,
@@ -235,18 +319,22 @@ public:
     toolpath::reportSteps(stack.ends, stack.levels, params.planes(input.bead).layers, stack.step,
                           stack.tolerance, context);
     const LayerFiller filler(input, params, stack);
-    SlicedLayers sliced = sections(input, stack, context.portion(0.0, 0.3, "sections"));
+    SlicedLayers sliced = sections(input, stack, context.portion(0.0, 0.15, "sections"));
+    const toolpath::PlaneStack halfway = middlesOf(stack);
+    const SlicedLayers middles =
+        sections(input, halfway, context.portion(0.15, 0.3, "sections").withOwnDiagnostics());
     if (params.openSections == OpenSections::Refuse) {
       for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
         refuseOpenSection(sliced.layers[l], l);
       }
     }
     reportOpenSurfaces(input, context);
+    const std::vector<Slab> slabs = slabsOf(sliced, middles, stack, halfway);
     const JobContext filling = context.portion(0.3, 1.0, "filling");
     std::vector<FilledLayer> filled(sliced.layers.size());
     parallelFor(
-        filled.size(), 1, [&](std::size_t l) { filled[l] = filler.fill(sliced.layers[l], l); },
-        filling);
+        filled.size(), 1,
+        [&](std::size_t l) { filled[l] = filler.fill(sliced.layers[l], slabs[l], l); }, filling);
     return assemble(std::move(sliced), std::move(filled), context);
   }
 

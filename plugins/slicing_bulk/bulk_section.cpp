@@ -85,6 +85,7 @@ Region2 abovePlate(const Region2& region,
 }
 
 toolpath::Contour toContour(const toolpath::FillBead& bead,
+                            const toolpath::FillRoom& room,
                             int part,
                             const LayerPlane& plane,
                             const toolpath::Sampling& sampling) {
@@ -101,35 +102,42 @@ toolpath::Contour toContour(const toolpath::FillBead& bead,
   contour.group = bead.group;
   const std::size_t n = points.size();
   const std::size_t edges = bead.closed ? n : n - 1;
+  // A closed bead runs from the last of the bead's own points back to it.
+  const double whole = geometry::polylineLength(points, bead.closed);
+  const double last = bead.closed ? (points.front() - points.back()).norm() : 0.0;
+  double before = 0.0;
   const auto direction = [&](std::size_t edge) {
     const Vec2 d = points[(edge + 1) % n] - points[edge];
     return d.norm() > 0.0 ? Vec2(d.normalized()) : Vec2(Vec2::Zero());
   };
-  const auto add = [&](const Vec2& p, const Vec2& before, const Vec2& after, double width) {
-    Vec2 t = before + after;
+  const auto add = [&](const Vec2& p, const Vec2& in, const Vec2& out, double width, double s) {
+    Vec2 t = in + out;
     constexpr double kTurnsBack = 1e-6;
     if (t.norm() < kTurnsBack) {
-      t = after;
+      t = out;
     }
     t.normalize();
     contour.points.push_back({plane.toSpace(p), plane.direction(Vec2(-t.y(), t.x())), 0.0, width});
+    contour.points.back().fillWidth = room.at(bead.closed ? whole - last - s : s);
   };
   for (std::size_t i = 0; i < edges; ++i) {
     const Vec2 u = direction(i);
-    const Vec2 before = i > 0 || bead.closed ? direction((i + edges - 1) % edges) : u;
+    const Vec2 in = i > 0 || bead.closed ? direction((i + edges - 1) % edges) : u;
     const std::size_t j = (i + 1) % n;
     const double length = (points[j] - points[i]).norm();
     const auto pieces =
         static_cast<std::size_t>(std::max(1.0, std::ceil(length / sampling.maxSpacing - 1e-9)));
     for (std::size_t k = 0; k < pieces; ++k) {
-      const double s = static_cast<double>(k) / static_cast<double>(pieces);
-      const double width = widths.empty() ? 0.0 : widths[i] + s * (widths[j] - widths[i]);
-      add(points[i] + s * (points[j] - points[i]), k == 0 ? before : u, u, width);
+      const double along = static_cast<double>(k) / static_cast<double>(pieces);
+      const double width = widths.empty() ? 0.0 : widths[i] + along * (widths[j] - widths[i]);
+      add(points[i] + along * (points[j] - points[i]), k == 0 ? in : u, u, width,
+          before + along * length);
     }
+    before += length;
   }
   if (!bead.closed) {
     const Vec2 u = direction(n - 2);
-    add(points[n - 1], u, u, widths.empty() ? 0.0 : widths[n - 1]);
+    add(points[n - 1], u, u, widths.empty() ? 0.0 : widths[n - 1], whole);
   }
   return contour;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "wcam/geometry/polygon2d.hpp"
-#include "wcam/toolpath/fill.hpp"
+#include "wcam/toolpath/fill_room.hpp"
 #include "wcam/toolpath/slicing.hpp"
 #include "wcam/toolpath/substrate.hpp"
 
@@ -48,9 +48,11 @@ geometry::Region2 abovePlate(const geometry::Region2& region,
                              const LayerPlane& plane,
                              const toolpath::Substrate& substrate);
 
-/// A bead of the fill as a contour: points no farther apart than the spacing, n across the travel
-/// with t × n = up, so that closed beads run clockwise as walls do.
+/// A bead of the fill as a contour: points no farther apart than the spacing, each with the width
+/// that it has to fill, n across the travel with t × n = up, so that closed beads run clockwise as
+/// walls do.
 toolpath::Contour toContour(const toolpath::FillBead& bead,
+                            const toolpath::FillRoom& room,
                             int part,
                             const LayerPlane& plane,
                             const toolpath::Sampling& sampling);

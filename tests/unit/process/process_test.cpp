@@ -126,5 +126,112 @@ TEST(ApplyProcess, ContradictoryWindowsAreRefused) {
   EXPECT_THROW((void)applyProcess({}, params, JobContext()), Error);
 }
 
+/// Straight beads along x at the given places across, one layer at the given height.
+toolpath::Toolpath straightBeads(const std::vector<double>& across,
+                                 double height,
+                                 toolpath::BeadFeature feature = toolpath::BeadFeature::Wall) {
+  toolpath::Layer layer;
+  for (const double y : across) {
+    toolpath::Bead bead;
+    bead.feature = feature;
+    for (int i = 0; i <= 20; ++i) {
+      toolpath::PathPoint point;
+      point.p = {5.0 * i, y, height};
+      point.height = height;
+      point.distance = height;
+      bead.points.push_back(point);
+    }
+    layer.beads.push_back(std::move(bead));
+  }
+  return {{layer}};
+}
+
+/// Wire per length of bead at the middle of its length, mm².
+double wireSection(const toolpath::Bead& bead, const ProcessParams& params) {
+  const toolpath::PathPoint& point = bead.points[bead.points.size() / 2];
+  const double wire = kPi / 4.0 * params.wireDiameter.value() * params.wireDiameter.value();
+  return wire * point.wireSpeed / point.speed;
+}
+
+TEST(TouchingBeads, ShareWhatLiesBetweenThem) {
+  ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  const toolpath::Toolpath path =
+      applyProcess(straightBeads({0.0, 4.0, 8.5, 40.0}, 2.0), params, JobContext());
+  const auto& beads = path.layers[0].beads;
+  const double free = 0.5 * wallSection(2.0, 6.0);
+  EXPECT_NEAR(wireSection(beads[0], params), free + 2.0 * 2.0, 1e-3);
+  EXPECT_NEAR(wireSection(beads[1], params), (2.0 + 2.25) * 2.0, 1e-3);
+  EXPECT_NEAR(wireSection(beads[2], params), free + 2.25 * 2.0, 1e-3);
+  EXPECT_EQ(beads[3].points[7].fillWidth, 0.0);
+  EXPECT_NEAR(wireSection(beads[3], params), wallSection(2.0, 6.0), 1e-9);
+  for (const toolpath::Bead& bead : beads) {
+    EXPECT_EQ(bead.points[7].width, 6.0);
+  }
+}
+
+TEST(TouchingBeads, CladdingEndsInDingsParabola) {
+  ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  const double spacing = 0.667 * 6.0;
+  const toolpath::Toolpath path = applyProcess(
+      straightBeads({0.0, spacing, 2.0 * spacing}, 2.0, toolpath::BeadFeature::Cladding), params,
+      JobContext());
+  const auto& beads = path.layers[0].beads;
+  EXPECT_NEAR(wireSection(beads[0], params), (2.0 + 0.5 * spacing) * 2.0, 1e-3);
+  EXPECT_NEAR(wireSection(beads[1], params), spacing * 2.0, 1e-3);
+}
+
+TEST(TouchingBeads, ABeadThatComesBackIsItsOwnNeighbour) {
+  ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  toolpath::Toolpath there = straightBeads({0.0}, 2.0);
+  toolpath::Toolpath back = straightBeads({4.0}, 2.0);
+  auto& points = there.layers[0].beads[0].points;
+  const auto& other = back.layers[0].beads[0].points;
+  points.insert(points.end(), other.rbegin(), other.rend());
+  const toolpath::Toolpath path = applyProcess(there, params, JobContext());
+  EXPECT_NEAR(path.layers[0].beads[0].points[8].fillWidth, 0.5 * wallSection(2.0, 6.0) / 2.0 + 2.0,
+              1e-3);
+}
+
+TEST(TouchingBeads, WallsAndSpiralsThatStandAloneKeepTheirSection) {
+  const ProcessParams params;
+  toolpath::Toolpath path = applyProcess(elbowPath(), params, JobContext());
+  for (const toolpath::Layer& layer : path.layers) {
+    for (const toolpath::PathPoint& point : layer.beads[0].points) {
+      ASSERT_EQ(point.fillWidth, 0.0);
+    }
+  }
+  path = straightBeads({0.0, 4.0}, 2.0);
+  path.layers[0].beads[0].revolutions = 3;
+  path = applyProcess(path, params, JobContext());
+  EXPECT_EQ(path.layers[0].beads[0].points[5].fillWidth, 0.0);
+}
+
+TEST(TouchingBeads, LessWireAtTheMaximumSpeedKeepsTheSection) {
+  JobContext context;
+  ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  params.speedMax = 10.0_mm_s;
+  const auto beads = straightBeads({0.0, 3.0, 6.0}, 2.0);
+  toolpath::Toolpath path = applyProcess(beads, params, context);
+  const toolpath::PathPoint& middle = path.layers[0].beads[1].points[10];
+  EXPECT_NEAR(middle.speed, 10.0, 1e-12);
+  EXPECT_NEAR(wireSection(path.layers[0].beads[1], params), 3.0 * 2.0, 1e-3);
+  EXPECT_LT(middle.wireSpeed, params.wireSpeed.value());
+  EXPECT_EQ(context.diagnostics().count("process.wire_lowered"), 1U);
+  EXPECT_EQ(context.diagnostics().count("process.speed_clamped"), 0U);
+  EXPECT_NEAR(processStatistics(path, params).wireVolume,
+              processStatistics(path, params).wantedVolume, 1e-6);
+  // A constant feed deposits too much, and says so.
+  params.wireSpeedMin = params.wireSpeed;
+  JobContext constant;
+  path = applyProcess(beads, params, constant);
+  EXPECT_EQ(path.layers[0].beads[1].points[10].wireSpeed, params.wireSpeed.value());
+  EXPECT_EQ(constant.diagnostics().count("process.wire_lowered"), 0U);
+  EXPECT_EQ(constant.diagnostics().count("process.speed_clamped"), 1U);
+}
+
 }  // namespace
 }  // namespace wcam::process

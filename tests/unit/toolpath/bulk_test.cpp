@@ -4,6 +4,7 @@
 #include "wcam/base/parallel.hpp"
 #include "wcam/geometry/polygon2d.hpp"
 #include "wcam/io/import.hpp"
+#include "wcam/process/process.hpp"
 
 #include "error_matchers.hpp"
 #include "random_source.hpp"
@@ -12,7 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 namespace wcam::test {
 namespace {
@@ -133,6 +136,103 @@ TEST(Bulk, EveryPatternOnABoxBecomesAToolpath) {
       }
     }
   }
+}
+
+/// Wire that the process feeds into each layer, mm³.
+std::vector<double> wireOfLayers(const plugin::SliceInput& input,
+                                 const std::string& settings,
+                                 const process::ProcessParams& params) {
+  const JobContext context;
+  const SlicedLayers sliced = slice(kBulk, input, settings, context);
+  const toolpath::Toolpath path = process::applyProcess(
+      toolpath::buildToolpath(sliced, *input.substrate, {}, context), params, context);
+  std::vector<double> volumes;
+  for (const toolpath::Layer& layer : path.layers) {
+    volumes.push_back(process::processStatistics({{layer}}, params).wireVolume);
+  }
+  return volumes;
+}
+
+constexpr std::array<const char*, 7> kFullPatterns{"raster", "zigzag",     "contour", "spiral",
+                                                   "hybrid", "continuous", "medial"};
+
+TEST(BulkVolume, WireOfABoxIsItsVolumeInEveryPattern) {
+  const auto input = inputOf(meshSurface(boxMesh(Vec3(-40, -30, 0), Vec3(40, 30, 20))));
+  process::ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  for (const char* pattern : kFullPatterns) {
+    SCOPED_TRACE(pattern);
+    const std::vector<double> wire =
+        wireOfLayers(input, R"({"step": 2.0, "pattern": ")" + std::string(pattern) + "\"}", params);
+    ASSERT_EQ(wire.size(), 10U);
+    double whole = 0.0;
+    for (const double layer : wire) {
+      EXPECT_NEAR(layer, 9600.0, 0.05 * 9600.0);
+      whole += layer;
+    }
+    EXPECT_NEAR(whole, 96000.0, 0.03 * 96000.0);
+  }
+}
+
+/// A closed frustum on z = 0.
+geometry::TriangleMesh frustumMesh(double below, double above, double height, int around) {
+  geometry::TriangleMesh mesh;
+  const auto index = [](int k) { return static_cast<std::uint32_t>(k); };
+  for (int k = 0; k < around; ++k) {
+    const double a = 2.0 * kPi * k / around;
+    mesh.vertices.emplace_back(below * std::cos(a), below * std::sin(a), 0.0);
+    mesh.vertices.emplace_back(above * std::cos(a), above * std::sin(a), height);
+  }
+  mesh.vertices.emplace_back(0.0, 0.0, 0.0);
+  mesh.vertices.emplace_back(0.0, 0.0, height);
+  for (int k = 0; k < around; ++k) {
+    const int next = (k + 1) % around;
+    mesh.triangles.push_back({index(2 * k), index(2 * next), index(2 * k + 1)});
+    mesh.triangles.push_back({index(2 * next), index(2 * next + 1), index(2 * k + 1)});
+    mesh.triangles.push_back({index(2 * around), index(2 * next), index(2 * k)});
+    mesh.triangles.push_back({index(2 * around + 1), index(2 * k + 1), index(2 * next + 1)});
+  }
+  return mesh;
+}
+
+TEST(BulkVolume, WireFollowsSlopes) {
+  process::ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  const auto wholeOf = [&](const plugin::SliceInput& input, const std::string& settings) {
+    double whole = 0.0;
+    for (const double layer : wireOfLayers(input, settings, params)) {
+      whole += layer;
+    }
+    return whole;
+  };
+  // A frustum that narrows from 40 to 25 mm over 30 mm, and the same the other way up.
+  for (const bool widens : {false, true}) {
+    const double below = widens ? 25.0 : 40.0;
+    const double above = widens ? 40.0 : 25.0;
+    const auto input = inputOf(meshSurface(frustumMesh(below, above, 30.0, 256)));
+    const double volume = kPi * 30.0 / 3.0 * (below * below + below * above + above * above);
+    for (const char* pattern : kFullPatterns) {
+      SCOPED_TRACE(pattern);
+      EXPECT_NEAR(wholeOf(input, R"({"step": 2.5, "pattern": ")" + std::string(pattern) + "\"}"),
+                  volume, 0.03 * volume);
+    }
+  }
+}
+
+TEST(BulkVolume, StockOutsideTheSectionIsCounted) {
+  const auto input = inputOf(meshSurface(boxMesh(Vec3(-40, -30, 0), Vec3(40, 30, 20))));
+  process::ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  const auto wholeOf = [&](const char* reference) {
+    double whole = 0.0;
+    for (const double layer : wireOfLayers(
+             input, R"({"step": 2.0, "reference": ")" + std::string(reference) + "\"}", params)) {
+      whole += layer;
+    }
+    return whole;
+  };
+  EXPECT_NEAR(wholeOf("centre"), 86.0 * 66.0 * 20.0, 0.03 * 86.0 * 66.0 * 20.0);
+  EXPECT_NEAR(wholeOf("outside"), 92.0 * 72.0 * 20.0, 0.03 * 92.0 * 72.0 * 20.0);
 }
 
 TEST(Bulk, ResultDoesNotDependOnTriangleOrderOrThreads) {

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "wcam/toolpath/fill.hpp"
-
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/quantity.hpp"
+#include "wcam/toolpath/fill_room.hpp"
 
 #include "error_matchers.hpp"
 #include "random_source.hpp"
@@ -156,7 +155,6 @@ TEST_P(EveryPattern, CoversEveryShapeInsideItsBorder) {
     EXPECT_NEAR(coverage.area, shape.area.area(), 1e-9);
     EXPECT_GE(coverage.coveredPart(), shape.leastCoverage);
     EXPECT_LE(coverage.coveredPart(), 1.0);
-    EXPECT_LE(coverage.fillRatio(), 1.06);
     for (const FillBead& bead : fill.beads) {
       ASSERT_GE(bead.points.size(), 2U);
       ASSERT_FALSE(geometry::findCrossing(std::span(&bead.points, 1), bead.closed, 0.0));
@@ -176,6 +174,25 @@ TEST_P(EveryPattern, CoversEveryShapeInsideItsBorder) {
         EXPECT_TRUE(bead.widths.empty() ? bead.feature != BeadFeature::Fill : true);
       } else {
         EXPECT_GE(geometry::polylineLength(bead.points, false), options.minLength);
+      }
+    }
+  }
+}
+
+TEST_P(EveryPattern, RoomsOfTheBeadsAreTheSection) {
+  for (const Shape& shape : shapes()) {
+    SCOPED_TRACE(shape.name);
+    const FillOptions options = beadOf6(pattern());
+    const FillResult fill = fillRegion(shape.area, options);
+    const std::vector<FillRoom> rooms = shareRoom(shape.area, fill.beads, options, 2.0);
+    ASSERT_EQ(rooms.size(), fill.beads.size());
+    EXPECT_NEAR(fillRatio(shape.area, rooms), 1.0, 0.03);
+    for (std::size_t b = 0; b < rooms.size(); ++b) {
+      const double length = geometry::polylineLength(fill.beads[b].points, fill.beads[b].closed);
+      for (int k = 0; k <= 20; ++k) {
+        const double width = rooms[b].at(0.05 * k * length);
+        ASSERT_GE(width, options.overlap * options.minWidth - 1e-12);
+        ASSERT_LE(width, options.maxWidth + 1e-12);
       }
     }
   }
@@ -202,7 +219,6 @@ TEST_P(EveryPattern, TurnsAndScalesWithTheRegion) {
   const Region2 moved = region(loops);
   const FillCoverage after = fillCoverage(moved, fillRegion(moved, options).beads, options);
   EXPECT_NEAR(after.coveredPart(), before.coveredPart(), 2e-3);
-  EXPECT_NEAR(after.fillRatio(), before.fillRatio(), 1e-2);
 }
 
 TEST_P(EveryPattern, DoesNotDependOnStartOrOrderOfTheLoops) {
@@ -341,11 +357,53 @@ TEST(Fill, MedialBeadsRunFromInsideToOutsideWithinTheirRange) {
   }
 }
 
-TEST(Fill, PilesAreMeasured) {
-  // Both sides of a wall of 7 mm with a bead of 6 mm: 1.6 times the room.
+TEST(FillRoom, IsTheCentreDistanceInsideAndReachesTheBorder) {
+  // Lines 4.002 mm apart between walls; the wall lies 3 mm inside the border.
+  const FillOptions options = beadOf6(FillPattern::Raster);
+  const Region2 square = shapes()[0].area;
+  const FillResult fill = fillRegion(square, options);
+  const std::vector<FillRoom> rooms = shareRoom(square, fill.beads, options, 2.0);
+  std::size_t lines = 0;
+  for (std::size_t b = 0; b < rooms.size(); ++b) {
+    const FillBead& bead = fill.beads[b];
+    const double length = geometry::polylineLength(bead.points, bead.closed);
+    if (bead.closed) {
+      // Half a width to the border, and half the way to the first line: 26 mm between the last
+      // places for lines hold six gaps, and what is left lies on both sides.
+      const double left = 0.5 * (40.0 - 2.0 * (3.0 + 4.002) - 6.0 * 4.002);
+      const double expected = 3.0 + 0.5 * (4.002 + left);
+      EXPECT_NEAR(rooms[b].at(0.125 * length), expected, 0.03);
+    } else if (std::abs(bead.points[0].y() - 20.0) < 8.0) {
+      ++lines;
+      EXPECT_NEAR(rooms[b].at(0.5 * length), 4.002, 2e-3);
+    }
+  }
+  EXPECT_GE(lines, 3U);
+}
+
+TEST(FillRoom, OfALoneBeadIsItsPlace) {
+  // A wall of 7 mm with one bead along its middle: 7 mm² per mm, whatever its width.
   const Region2 wall = region({{{0, 0}, {200, 0}, {200, 7}, {0, 7}}});
-  const FillOptions options = beadOf6(FillPattern::Zigzag);
-  EXPECT_NEAR(fillCoverage(wall, fillRegion(wall, options).beads, options).fillRatio(), 1.6, 0.1);
+  FillBead bead;
+  bead.points = {{3.5, 3.5}, {196.5, 3.5}};
+  bead.widths = {7.0, 7.0};
+  const FillOptions options = beadOf6(FillPattern::Medial);
+  const std::vector<FillRoom> rooms = shareRoom(wall, {bead}, options, 2.0);
+  EXPECT_NEAR(rooms[0].at(100.0), 7.0, 1e-3);
+  EXPECT_NEAR(rooms[0].area(), 200.0 * 7.0, 0.02 * 1400.0);
+}
+
+TEST(FillRoom, PilesAreMeasuredByVolume) {
+  // Both sides of a wall of 7 mm: each bead has 3.5 mm. No bead is narrower than 5.5 mm, which
+  // holds 0.667 times that.
+  const Region2 wall = region({{{0, 0}, {200, 0}, {200, 7}, {0, 7}}});
+  FillOptions options = beadOf6(FillPattern::Zigzag);
+  EXPECT_NEAR(fillRatio(wall, shareRoom(wall, fillRegion(wall, options).beads, options, 2.0)), 1.0,
+              0.01);
+  options.minWidth = 5.5;
+  options.fillNarrow = false;
+  EXPECT_NEAR(fillRatio(wall, shareRoom(wall, fillRegion(wall, options).beads, options, 2.0)),
+              0.667 * 5.5 / 3.5, 0.02);
 }
 
 TEST(Fill, RandomRegionsGiveBeadsThatDoNotCrossThemselves) {
@@ -369,7 +427,9 @@ TEST(Fill, RandomRegionsGiveBeadsThatDoNotCrossThemselves) {
       const FillResult fill = fillRegion(area, options);
       const FillCoverage coverage = fillCoverage(area, fill.beads, options);
       EXPECT_LE(coverage.coveredPart(), 1.0);
-      EXPECT_LE(coverage.fillRatio(), 1.25);
+      const double ratio = fillRatio(area, shareRoom(area, fill.beads, options, 2.0));
+      EXPECT_LE(ratio, 1.03);
+      EXPECT_GE(ratio, 0.97 * coverage.coveredPart());
       for (const FillBead& bead : fill.beads) {
         ASSERT_TRUE(bead.widths.empty() || bead.widths.size() == bead.points.size());
         ASSERT_FALSE(geometry::findCrossing(std::span(&bead.points, 1), bead.closed, 0.0));

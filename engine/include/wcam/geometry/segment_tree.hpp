@@ -6,7 +6,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,7 @@ class SegmentTree {
 public:
   /// Adds the segments of a polyline; a single point counts as a segment of length zero.
   void add(const std::vector<Vec3>& polyline, bool closed);
+  void add(const Vec3& a, const Vec3& b);
   /// Must be called once after the last add().
   void build();
 
@@ -44,6 +47,14 @@ public:
   /// Nearest point on the segments; p itself when there is none.
   [[nodiscard]] Vec3 nearest(const Vec3& p) const;
 
+  /// Which segments count, by their number in the order of adding.
+  using Filter = std::function<bool(std::uint32_t)>;
+
+  /// Nearest point on the segments that is nearer than `within`; nothing when there is none.
+  [[nodiscard]] std::optional<Vec3> nearestWithin(const Vec3& p,
+                                                  double within,
+                                                  const Filter& counts = {}) const;
+
 private:
   struct Node {
     Box box;
@@ -57,10 +68,17 @@ private:
     std::uint32_t segment;
   };
 
-  [[nodiscard]] Found find(const Vec3& p, double atMost) const;
+  struct Segment {
+    Vec3 a;
+    Vec3 b;
+    std::uint32_t number;  ///< in the order of adding
+  };
+
+  template <class Counts>
+  [[nodiscard]] Found find(const Vec3& p, double atMost, const Counts& counts) const;
   std::uint32_t buildNode(std::uint32_t begin, std::uint32_t end);
 
-  std::vector<std::array<Vec3, 2>> segments_;
+  std::vector<Segment> segments_;
   std::vector<Node> nodes_;
 };
 

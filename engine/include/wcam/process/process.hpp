@@ -12,6 +12,7 @@ namespace wcam::process {
 struct ProcessParams {
   Length wireDiameter = 1.2_mm;
   WireSpeed wireSpeed = 6.0_m_min;
+  WireSpeed wireSpeedMin = 2.0_m_min;
   Length beadWidth = 8.0_mm;
   Speed speedMin = 1.5_mm_s;
   Speed speedMax = 10.0_mm_s;  ///< humping of wires of 0.8 and 1.2 mm (Chalvin A1)
@@ -29,6 +30,10 @@ struct ProcessParams {
 /// width; larger heights give the section at height = width, where the discs only touch.
 double wallSection(double height, double width) noexcept;
 
+/// Section of a bead at a point, mm²: fillWidth·height beside neighbours that share the layer,
+/// else wallSection(height, width).
+double beadSection(const toolpath::PathPoint& point) noexcept;
+
 /// Travel speed that deposits the section of a height: v = (π d²/4)·v_wire / S(h), mm/s (Diourté
 /// M26).
 double travelSpeed(double height, const ProcessParams& params) noexcept;
@@ -44,7 +49,7 @@ struct ProcessStatistics {
   double time = 0.0;          ///< with the arc on, s
   double wireLength = 0.0;    ///< mm
   double wireVolume = 0.0;    ///< mm³: what the torch deposits
-  double wantedVolume = 0.0;  ///< mm³: section of the local height times length
+  double wantedVolume = 0.0;  ///< mm³: section that the layer needs, times length
   double mass = 0.0;          ///< g
   std::size_t clampedPoints = 0;
 };
@@ -56,12 +61,17 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
 /// brings along is kept; 0 becomes the process's. Factors of ramps apply to the clamped speed,
 /// inside the window, and to the wire; moves with the arc off get no wire.
 ///
+/// Beads that lie nearer together than their width share what is between them: their sections are
+/// those that they have to fill (PathPoint::fillWidth; strategies that fill areas set it, all
+/// others get it here, see shareTouchingBeads). Where such a section needs a higher travel speed
+/// than the maximum, the wire feed is lowered instead, down to wireSpeedMin.
+///
 /// Where edits change a move (PathPoint::change) the section of the bead stays consistent: either
 /// the other of speed and wire follows so that the section of the local height is deposited, or the
 /// width becomes that of the section which speed and wire make. Ramps change no width.
 ///
 /// Findings, one per layer with the worst value and the count: process.speed_clamped,
-/// process.height_out_of_range, process.section_too_small.
+/// process.height_out_of_range, process.section_too_small, process.wire_lowered.
 /// @throws Error(InvalidArgument) when the windows contradict each other
 toolpath::Toolpath applyProcess(toolpath::Toolpath path,
                                 const ProcessParams& params,

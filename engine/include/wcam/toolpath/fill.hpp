@@ -51,6 +51,9 @@ struct FillOptions {
   double tolerance = 0.01;
 
   [[nodiscard]] double spacing() const { return overlap * width; }
+
+  /// Centre line of the outermost bead, inwards from the border, mm.
+  [[nodiscard]] double firstCentreLine() const;
 };
 
 struct FillBead {
@@ -59,8 +62,6 @@ struct FillBead {
   bool closed = false;
   BeadFeature feature = BeadFeature::Fill;
   int group = 0;  ///< order of deposition
-  /// Mean width of the area that a bead with widths of its own stands for, mm; others: the spacing.
-  double share = 0.0;
 };
 
 /// A place where the section is narrower than a bead.
@@ -71,18 +72,12 @@ struct NarrowPlace {
 };
 
 struct FillCoverage {
-  double area = 0.0;       ///< of the region, mm²
-  double covered = 0.0;    ///< part of it that beads cover, mm²
-  double capacity = 0.0;   ///< area that beads share: the region less what the outermost ones reach
-                           ///< over, mm²
-  double deposited = 0.0;  ///< length of the beads times their centre distance, mm²
+  double area = 0.0;     ///< of the region, mm²
+  double covered = 0.0;  ///< part of it that beads cover, mm²
   Vec2 largestVoid = Vec2::Zero();
   double largestVoidArea = 0.0;
 
   [[nodiscard]] double coveredPart() const { return area > 0.0 ? covered / area : 1.0; }
-
-  /// 1: the beads have the room that their distance gives them; more: they pile up.
-  [[nodiscard]] double fillRatio() const { return capacity > 0.0 ? deposited / capacity : 1.0; }
 };
 
 struct FillResult {

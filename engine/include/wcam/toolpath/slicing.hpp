@@ -33,6 +33,9 @@ struct ContourPoint {
   double height = 0.0;  ///< local layer height where the strategy knows it, mm; 0: the measured δ
   double width = 0.0;   ///< bead width where the strategy chooses it, mm; 0: the process's
   Vec3 axis = Vec3::Zero();  ///< tool axis that comes with the path; zero: by the axis rules
+  /// Mean width that the bead fills up to its height beside its neighbours, mm: section = fillWidth
+  /// times height. 0: a bead that stands alone.
+  double fillWidth = 0.0;
 };
 
 /// What a bead is for.

@@ -38,10 +38,13 @@ struct PathPoint {
   Vec3 axis =
       Vec3::UnitZ();  ///< tool axis, from the part towards the torch, with lead and lateral tilt
   Vec3 up =
-      Vec3::UnitZ();       ///< axis before lead and tilt: what the positioner turns to the vertical
-  double distance = 0.0;   ///< inter-layer distance δ to the layer below, mm (Chalvin A4)
-  double height = 0.0;     ///< local layer height: the strategy's, else the distance, mm
-  double width = 0.0;      ///< bead width, mm; 0 before the process is applied: the process's
+      Vec3::UnitZ();      ///< axis before lead and tilt: what the positioner turns to the vertical
+  double distance = 0.0;  ///< inter-layer distance δ to the layer below, mm (Chalvin A4)
+  double height = 0.0;    ///< local layer height: the strategy's, else the distance, mm
+  double width = 0.0;     ///< bead width, mm; 0 before the process is applied: the process's
+  /// Mean width that the bead fills up to its height beside its neighbours, mm: its section is
+  /// fillWidth·height. 0: a bead that stands alone, whose section follows from width and height.
+  double fillWidth = 0.0;
   double speed = 0.0;      ///< travel speed of the move that ends here, mm/s
   double wireSpeed = 0.0;  ///< wire feed speed of the move that ends here, mm/s
   /// The arc burns during the move that ends here; without meaning at the first point.

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "wcam/toolpath/fill.hpp"
+
+#include <vector>
+
+namespace wcam::toolpath {
+
+/// Width of the room that a bead has to fill, along its length: the area of the layer that is
+/// nearer to this bead than to any other, per length of the bead. Times the layer height it is the
+/// section that the bead must have for the layer to become full and level. Between two neighbours
+/// it is their centre distance (Ding 2015); at the border it reaches from the surface to half the
+/// distance of the next bead.
+class FillRoom {
+public:
+  FillRoom() = default;
+
+  /// @param widths of equal pieces of the bead, mm
+  FillRoom(std::vector<double> widths, double length, bool closed);
+
+  /// Width at an arc length from the bead's first point, linear between the middles of pieces, mm.
+  [[nodiscard]] double at(double s) const;
+  /// Area of the room, mm².
+  [[nodiscard]] double area() const;
+
+private:
+  std::vector<double> widths_;
+  double length_ = 0.0;
+  bool closed_ = false;
+};
+
+/// Shares a layer among the beads that fill it. The rooms are exact along the beads (rays across
+/// them, to the bisector of the next bead or to the border) and averaged over one bead width, since
+/// no torch follows faster changes. Each width is at least that of the narrowest bead,
+/// overlap·minWidth, and at most maxWidth.
+/// @param region what the layer has to fill, mm²: the part's section, perhaps that of its middle
+/// @param height of the layer, mm: where the border slopes, the outermost beads reach at most half
+/// of it farther than their own width
+/// @return one room per bead
+/// Cost: some µs per millimetre of bead.
+std::vector<FillRoom> shareRoom(const geometry::Region2& region,
+                                const std::vector<FillBead>& beads,
+                                const FillOptions& options,
+                                double height);
+
+/// Material of the beads in parts of the region's room, by area: more than 1 piles up, less leaves
+/// voids.
+double fillRatio(const geometry::Region2& region, const std::vector<FillRoom>& rooms);
+
+}  // namespace wcam::toolpath
