@@ -126,30 +126,28 @@ private:
   std::vector<Vec3> gradients_;
 };
 
-/// Mesh noise of the gradients: heights that pass the range by less are no reason to refuse.
+/// Mesh noise of the gradients: heights that pass the range by less do not make it infeasible.
 constexpr double kFieldNoise = 0.01;
 
-/// @throws Error(JobFailed) where the range cannot be kept and the wish says so
+/// Tells heights outside of the range, and where they are more than noise that the range cannot be
+/// kept.
 void judgeHeights(const SpiralHeights& heights, const SpiralWish& wish, const JobContext& context) {
-  reportSpiralHeights(heights, context);
-  if (!wish.refuse || heights.excess <= kFieldNoise) {
+  if (heights.excess <= kFieldNoise) {
+    reportSpiralHeights(heights, context);
     return;
   }
-  // Rounded away from the heights; a percent for the ramps that follow from the range.
-  constexpr double kReserve = 0.01;
-  const double low = std::floor((1.0 - kReserve) * heights.least * 100.0) / 100.0;
-  const double high = std::ceil((1.0 + kReserve) * heights.greatest * 100.0) / 100.0;
-  throw Error(ErrorCode::JobFailed,
-              text("%1 points of the spiral would need a deposit outside of %2 to %3 mm; the worst "
-                   "is %4 mm",
-                   {std::to_string(heights.outside), formatFixed(heights.low, 3),
-                    formatFixed(heights.high, 3), formatFixed(heights.worst, 3)}),
-              "continuous spiral",
-              wish.secondHeight > 0.0 || !(low > 0.0)
-                  ? text("widen the modulation range, or choose the form of generatrices")
-                  : text("set height_min to %1 mm and height_max to %2 mm, or choose the form of "
-                         "generatrices",
-                         {formatFixed(low, 2), formatFixed(high, 2)}));
+  context.add({Severity::Warning,
+               "slicing.spiral_infeasible",
+               text("%1 points of the spiral need a deposit outside of %2 to %3 mm; the worst is %4 "
+                    "mm",
+                    {std::to_string(heights.outside), formatFixed(heights.low, 3),
+                     formatFixed(heights.high, 3), formatFixed(heights.worst, 3)}),
+               {},
+               {{}, 0, 0, -1},
+               {{"points", static_cast<double>(heights.outside)},
+                {"deposit_mm", heights.worst},
+                {"height_min_mm", std::min(heights.least, wish.heightMin)},
+                {"height_max_mm", std::max(heights.greatest, wish.heightMax)}}});
 }
 
 void reportFieldSpiral(const SpiralPlan& plan,

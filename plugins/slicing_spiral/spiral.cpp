@@ -224,7 +224,6 @@ toolpath::SpiralWish wishOf(const Params& params, const toolpath::WallLimits& li
   wish.secondHeight = params.secondStep.value();
   wish.secondFrom = params.secondFrom.value();
   wish.transition = params.transition;
-  wish.refuse = params.infeasible == Infeasible::Refuse;
   return wish;
 }
 

@@ -113,8 +113,8 @@ TEST(SpiralHeight, TheFieldRefusesWhatItCannotKeepAndItsRemedyDoes) {
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::JobFailed);
-    ASSERT_EQ(std::sscanf(error.hint().c_str(), "set height_min to %lf mm and height_max to %lf mm",
-                          &low, &high),
+    ASSERT_EQ(std::sscanf(error.hint().c_str(), "set the modulation range to %lf to %lf mm", &low,
+                          &high),
               2)
         << error.hint();
   }
@@ -126,7 +126,7 @@ TEST(SpiralHeight, TheFieldRefusesWhatItCannotKeepAndItsRemedyDoes) {
   const JobContext told;
   (void)test::slice("wcam.slicing.spiral", input,
                     R"({"step": 2.0, "form": "field", "infeasible": "report"})", told);
-  EXPECT_NE(find(told, "slicing.spiral_height"), nullptr);
+  EXPECT_NE(find(told, "slicing.spiral_infeasible"), nullptr);
 }
 
 TEST(SpiralPoints, FollowTheMeshAsCloselyAsItFollowsItsShape) {

@@ -34,9 +34,10 @@ SlicedLayers spiralAlong(const geometry::PartSurface& part,
 ///
 /// Against generatrices it needs no points per revolution and follows the field itself; the number
 /// of revolutions is that of the mean generatrix.
+/// Heights outside of the range are findings: slicing.spiral_height as far as they are noise, else
+/// slicing.spiral_infeasible.
 /// @param surface the part before it was refined: points go onto it
-/// @throws Error(JobFailed) as decomposeWall and planSpiral, and with SpiralWish::refuse when
-/// heights leave the range
+/// @throws Error(JobFailed) as decomposeWall and planSpiral
 SlicedLayers spiralOnField(const geometry::PartSurface& part,
                            const geometry::PartSurface& surface,
                            const WallLimits& limits,

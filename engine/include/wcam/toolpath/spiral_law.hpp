@@ -39,8 +39,6 @@ struct SpiralWish {
   double secondHeight = 0.0;  ///< mean deposit of the second zone; 0: one zone (Diourté M48)
   double secondFrom = 0.0;    ///< where it begins, mm along the mean generatrix
   int transition = 1;         ///< revolutions from one deposit to the other
-  /// A spiral on a field that cannot keep the range is an error, not a finding.
-  bool refuse = false;
 };
 
 /// One revolution: arc length on every generatrix where the bead passes, and the height it adds.
