@@ -24,8 +24,9 @@ constexpr double kCovers = 1.1;
 /// Pieces of the surface smaller than this part of what a bead covers are covered as a whole or
 /// not.
 constexpr double kPiece = 0.5;
-/// Above the last layer by more than this many steps the part is left out on purpose: by an end
-/// height, or as the rest that has a finding of its own.
+/// What lies above the last layer, by more than this part of its distance or by more than so many
+/// steps, is left out on purpose: by an end height, or as the rest that has a finding of its own.
+constexpr double kAbove = 0.5;
 constexpr double kBeyond = 1.5;
 /// Uncovered faces below this part of the part's surface are the rounding of corners.
 constexpr double kLeastShare = 1e-3;
@@ -116,7 +117,7 @@ private:
       return false;
     }
     const Vec3 beyond = p - last_.nearest(p);
-    return beyond.dot(lastUp_) <= kBeyond * step_;
+    return beyond.dot(lastUp_) <= std::min(kBeyond * step_, kAbove * beyond.norm());
   }
 
   const Substrate& substrate_;

@@ -279,5 +279,32 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"'type': 'parametric', 'x': '1', 'y': '1', 'z': '1', 'u': [0, 1], 'v': [0, 1]",
                 "single point"}));
 
+TEST(FormulaSurface, NearlyExactIsTakenAndReported) {
+  // A square root of the distance from a slanted line has no exact spline: some 1e-5 mm are left.
+  const JobContext context;
+  const TemporaryFolder folder;
+  writeBytes(folder / "part.wsurf",
+             surfaceText("'type': 'parametric', 'x': 'u', 'y': '(u*u+v*v)^1.4', 'z': 'v', "
+                         "'u': [-10, 11], 'v': [0, 20]"));
+  const ImportedPart part = importPart(folder / "part.wsurf", {}, Pose::Identity(), context);
+  double told = 0.0;
+  for (const Diagnostic& item : context.diagnostics().items()) {
+    if (item.code == "import.formula_deviation") {
+      told = item.data.at(0).second;
+    }
+  }
+  EXPECT_GT(told, 1e-6);
+  EXPECT_LE(told, 1e-4);
+  BrepEvaluator evaluator(*part.surface->brep);
+  double worst = 0.0;
+  for (int i = 0; i <= 400; ++i) {
+    for (int j = 0; j <= 400; ++j) {
+      const Vec3 p = evaluator.surface(0, Vec2(-10.0 + 21.0 * i / 400, 20.0 * j / 400)).p;
+      worst = std::max(worst, std::abs(p.y() - std::pow(p.x() * p.x() + p.z() * p.z(), 1.4)));
+    }
+  }
+  EXPECT_LE(worst, 1e-4);
+}
+
 }  // namespace
 }  // namespace wcam::io
