@@ -148,11 +148,11 @@ TEST(IsoRevolution, RefusesWhatIsNoRevolution) {
   };
   const auto box = test::meshSurface(test::boxMesh({-10, -6, 0}, {10, 6, 8}));
   EXPECT_THAT(refusal(inputOf(box), R"({"mode": "revolution"})"),
-              testing::HasSubstr("no body of revolution"));
-  EXPECT_THAT(refusal(inputOf(box), "{}"), testing::HasSubstr("is a mesh"));
+              ::testing::HasSubstr("no body of revolution"));
+  EXPECT_THAT(refusal(inputOf(box), "{}"), ::testing::HasSubstr("is a mesh"));
   EXPECT_THAT(refusal(inputOf(formulaPart("p4_quarter_torus.wsurf")),
                       R"({"mode": "revolution", "custom_axis": true})"),
-              testing::HasSubstr("off the profile"));
+              ::testing::HasSubstr("off the profile"));
 }
 
 double lengthOf(const SlicedLayers& sliced) {
@@ -260,7 +260,7 @@ TEST(IsoFaces, CurvesThatMeetEachOtherAreRefusedEarly) {
       FAIL() << "accepted";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::JobFailed);
-      EXPECT_THAT(std::string(error.what()), testing::HasSubstr("more than once"));
+      EXPECT_THAT(std::string(error.what()), ::testing::HasSubstr("more than once"));
     }
   }
 }
@@ -353,8 +353,8 @@ TEST(IsoFaces, RefusesParametersThatRunAlongTheBase) {
                                R"({"mode": "faces", "direction": "v"})"));
     FAIL() << "accepted";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("face 0"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("90 degrees"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("face 0"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("90 degrees"));
   }
 }
 

@@ -137,7 +137,12 @@ TEST(LastLayer, StepFitsTheHeightUnlessItIsToBeLeft) {
        {"wcam.slicing.planar", "wcam.slicing.geodesic", "wcam.slicing.isoparam",
         "wcam.slicing.constant", "wcam.slicing.branches"}) {
     SCOPED_TRACE(strategy);
-    const SlicedLayers fitted = test::slice(strategy, inputOf(tube), R"({"step": 4.0})");
+    // The default.
+    const ParamDef* last = test::pluginHost().findSlicing(strategy)->info.params.find("last_layer");
+    ASSERT_NE(last, nullptr);
+    EXPECT_EQ(last->defaultValue, Value("fit"));
+    const SlicedLayers fitted =
+        test::slice(strategy, inputOf(tube), R"({"step": 4.0, "last_layer": "fit"})");
     ASSERT_EQ(fitted.layers.size(), 10U);
     for (const SlicedLayer& layer : fitted.layers) {
       EXPECT_NEAR(layer.nominalHeight, 3.99, 0.005);
@@ -169,12 +174,15 @@ TEST(LastLayer, FittedStepStaysInsideTheProcess) {
   input.bead.heightMin = 1.0;
   input.bead.heightMax = 2.0;
   // Five layers of 1.84 mm, not four (2.3) and not six.
-  const SlicedLayers sliced = test::slice("wcam.slicing.planar", input, R"({"step": 2.0})");
+  const SlicedLayers sliced =
+      test::slice("wcam.slicing.planar", input, R"({"step": 2.0, "last_layer": "fit"})");
   ASSERT_EQ(sliced.layers.size(), 5U);
   EXPECT_NEAR(sliced.layers.back().level, 9.2, 1e-9);
   // 2.3 mm would be nearer to 2.2 than 1.84 is.
   input.bead.heightMax = 2.2;
-  EXPECT_EQ(test::slice("wcam.slicing.planar", input, R"({"step": 2.2})").layers.size(), 5U);
+  EXPECT_EQ(test::slice("wcam.slicing.planar", input, R"({"step": 2.2, "last_layer": "fit"})")
+                .layers.size(),
+            5U);
 }
 
 TEST(LeftOut, TopOfASolidThatIsOnlyOutlined) {
