@@ -451,8 +451,8 @@ private:
     if (laid > kMostCoverage * area_) {
       throw Error(
           ErrorCode::JobFailed,
-          "the iso-parametric curves of the faces return to where they were, so that layers "
-          "would never end",
+          "the iso-parametric curves run over the surface more than once: they meet each "
+          "other or return to where they began",
           "iso-parametric slicing",
           "choose the other parameter (direction=u or v), pick the faces to build, or slice "
           "by the geodesic distance from the base");

@@ -5,6 +5,7 @@
 
 #include "wcam/base/error.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 
 #include <algorithm>
@@ -69,11 +70,13 @@ bool endsFlat(const geometry::TriangleMesh& mesh,
     most = std::isnan(value) ? most : std::max(most, value);
   }
   const auto high = [&](std::uint32_t v) { return values[v] >= most - tolerance; };
+  double area = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& c = mesh.triangles[t];
     const std::array<bool, 3> on{high(c[0]), high(c[1]), high(c[2])};
     if (on[0] && on[1] && on[2]) {
-      return true;
+      const Vec3& a = mesh.vertices[c[0]];
+      area += 0.5 * (mesh.vertices[c[1]] - a).cross(Vec3(mesh.vertices[c[2]] - a)).norm();
     }
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (on[k] && on[(k + 1) % 3] && halfEdges.twin(3 * t + k) == geometry::HalfEdges::kNone) {
@@ -81,7 +84,9 @@ bool endsFlat(const geometry::TriangleMesh& mesh,
       }
     }
   }
-  return false;
+  // The cap of a dome as high as the tolerance is no face: a sphere of radius r has an area of
+  // 2π·r·h there, and no radius of a part is greater than half its size.
+  return area > kPi * mesh.bounds().diagonal() * tolerance;
 }
 
 EndBorder endBorderOf(const PartBase& base, const std::vector<double>& distance, double step) {

@@ -24,11 +24,14 @@ constexpr double kCovers = 1.1;
 /// Pieces of the surface smaller than this part of what a bead covers are covered as a whole or
 /// not.
 constexpr double kPiece = 0.5;
-/// Above the last layer by more than this many steps the part is left out on purpose: by an end
-/// height, or as the rest that has a finding of its own.
+/// What lies above the last layer, by more than this part of its distance or by more than so many
+/// steps, is left out on purpose: by an end height, or as the rest that has a finding of its own.
+constexpr double kAbove = 0.5;
 constexpr double kBeyond = 1.5;
 /// Uncovered faces below this part of the part's surface are the rounding of corners.
 constexpr double kLeastShare = 1e-3;
+/// Cosine between a face's normal and the direction of growth from which on the face is level.
+constexpr double kLevel = 0.5;
 constexpr std::size_t kTriangleGrain = 64;
 /// Noise of a part on its plate, in tolerances of a flat face.
 constexpr double kOnPlate = 4.0;
@@ -66,7 +69,7 @@ struct Uncovered {
 class Coverage {
 public:
   Coverage(const SlicedLayers& sliced, const Substrate& substrate, const BeadRange& bead)
-      : substrate_(substrate) {
+      : substrate_(substrate), curved_(sliced.curved) {
     for (const SlicedLayer& layer : sliced.layers) {
       step_ = std::max(step_, layer.nominalHeight);
       addLayer(layer, all_);
@@ -79,6 +82,11 @@ public:
   }
 
   [[nodiscard]] double reach() const { return reach_; }
+
+  /// Whether a triangle may lie between layers: plane ones leave nothing of a steep wall.
+  [[nodiscard]] bool mayMiss(const Vec3& normal) const {
+    return curved_ || std::abs(normal.dot(lastUp_)) > kLevel;
+  }
 
   [[nodiscard]] Uncovered of(const std::array<Vec3, 3>& corners) const {
     const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -116,10 +124,11 @@ private:
       return false;
     }
     const Vec3 beyond = p - last_.nearest(p);
-    return beyond.dot(lastUp_) <= kBeyond * step_;
+    return beyond.dot(lastUp_) <= std::min(kBeyond * step_, kAbove * beyond.norm());
   }
 
   const Substrate& substrate_;
+  bool curved_;
   geometry::SegmentTree all_;
   geometry::SegmentTree last_;
   Vec3 lastUp_ = Vec3::UnitZ();
@@ -164,7 +173,9 @@ void reportUncovered(const SlicedLayers& sliced,
           const std::array<Vec3, 3> corners{mesh.vertices[c[0]], mesh.vertices[c[1]],
                                             mesh.vertices[c[2]]};
           areas[t] = 0.5 * (corners[1] - corners[0]).cross(Vec3(corners[2] - corners[0])).norm();
-          found[t] = coverage.of(corners);
+          if (coverage.mayMiss(mesh.normal(t))) {
+            found[t] = coverage.of(corners);
+          }
         },
         context);
     Uncovered sum;

@@ -458,8 +458,9 @@ struct Walked {
   double rest = 0.0;
 };
 
-Walked walked(const ProfileTask& task, double step, std::size_t most) {
-  ProfileWalk walk(task.profile, task.substrate, task.options.arcLength, 0.0);
+/// @param tolerance as of ProfileWalk
+Walked walked(const ProfileTask& task, double step, std::size_t most, double tolerance) {
+  ProfileWalk walk(task.profile, task.substrate, task.options.arcLength, tolerance);
   const double first = task.options.layers.firstLayer * step;
   Walked result;
   bool more = !(first > 0.0) || walk.advance(first);
@@ -475,7 +476,7 @@ Walked walked(const ProfileTask& task, double step, std::size_t most) {
 double fittedStep(const ProfileTask& task) {
   const LayerWish& wish = task.options.layers;
   constexpr std::size_t kAll = 1000000;
-  const Walked wanted = walked(task, wish.step, kAll);
+  const Walked wanted = walked(task, wish.step, kAll, 0.0);
   const double first = wish.firstLayer;
   const double height =
       wanted.rest +
@@ -489,7 +490,7 @@ double fittedStep(const ProfileTask& task) {
   double step = steps.step;
   constexpr int kCorrections = 12;
   for (int i = 0; i < kCorrections; ++i) {
-    const Walked now = walked(task, step, steps.count);
+    const Walked now = walked(task, step, steps.count, 0.0);
     const double missing = static_cast<double>(steps.count - now.layers) * step;
     if (missing == 0.0 && now.rest <= 0.5 * task.tolerance) {
       break;
@@ -655,7 +656,7 @@ SlicedLayers sliceRevolution(const std::vector<std::shared_ptr<const PartSurface
       const double step = border && wish.last == LastLayer::Fit ? fittedStep(task) : wish.step;
       sliceProfile(task, step, cutter, static_cast<int>(k), sampling, sliced.layers);
       if (border) {
-        const Walked all = walked(task, step, sliced.layers.size());
+        const Walked all = walked(task, step, sliced.layers.size(), task.tolerance);
         const double height = (wish.firstLayer + static_cast<double>(all.layers) - 1.0) * step;
         std::vector<double> ends(k + 1, std::numeric_limits<double>::quiet_NaN());
         ends.back() = height + all.rest;

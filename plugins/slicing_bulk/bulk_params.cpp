@@ -32,7 +32,9 @@ void addLayers(Schema<Params>& schema) {
             .group = "Layers",
             .level = ParamLevel::Advanced,
             .min = 0.0,
-            .max = 1e6})
+            .max = 1e6});
+  toolpath::addLastLayer(schema, &Params::last);
+  schema
       .add(&Params::customDirection,
            {.key = "custom_direction",
             .label = "Own build direction",

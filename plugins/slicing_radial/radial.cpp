@@ -91,6 +91,7 @@ void addLayers(Schema<Params>& schema) {
             .level = ParamLevel::Advanced,
             .min = 0.0,
             .max = 1e6});
+  toolpath::addLastLayer(schema, &Params::last);
 }
 
 void addAxis(Schema<Params>& schema) {

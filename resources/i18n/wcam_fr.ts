@@ -7986,6 +7986,90 @@
         <source>written speeds differ from the planned ones by up to %1 %</source>
         <translation>les vitesses écrites s’écartent de celles prévues jusqu’à %1 %</translation>
     </message>
+    <message>
+        <source>%1 mm² (%2 %) of the surface of part %3 get no layer; the place at (%4, %5, %6) is %7 mm from the nearest bead</source>
+        <translation>%1 mm² (%2 %) de la surface de la pièce %3 ne reçoivent aucune couche ; l’endroit en (%4, %5, %6) est à %7 mm du cordon le plus proche</translation>
+    </message>
+    <message>
+        <source>Fit the step to the height</source>
+        <translation>Ajuster le pas à la hauteur</translation>
+    </message>
+    <message>
+        <source>Leave the rest</source>
+        <translation>Laisser le reste</translation>
+    </message>
+    <message>
+        <source>Where the part&apos;s height is no whole number of steps: fit changes the step a little, so that the last layer lies on the part&apos;s end; leave keeps the step and says how much of the part is left above the last layer.</source>
+        <translation>Quand la hauteur de la pièce n’est pas un nombre entier de pas : fit change un peu le pas pour que la dernière couche soit à la fin de la pièce ; leave garde le pas et indique ce qui reste de la pièce au-dessus de la dernière couche.</translation>
+    </message>
+    <message>
+        <source>a smaller step or a narrower bead covers more of slanted faces</source>
+        <translation>un pas plus petit ou un cordon plus étroit couvre mieux les faces inclinées</translation>
+    </message>
+    <message>
+        <source>a step of %1 mm ends on the part&apos;s end</source>
+        <translation>un pas de %1 mm s’achève à la fin de la pièce</translation>
+    </message>
+    <message>
+        <source>check these faces in the CAD system, or export them divided in halves</source>
+        <translation>vérifier ces faces dans la CAO, ou les exporter coupées en deux</translation>
+    </message>
+    <message>
+        <source>choose the other parameter (direction=u or v), pick the faces to build, or slice by the geodesic distance from the base</source>
+        <translation>choisir l’autre paramètre (direction=u ou v), désigner les faces à construire, ou trancher par la distance géodésique depuis la base</translation>
+    </message>
+    <message>
+        <source>clad these faces: strategy &apos;Cladding of a surface&apos; (wcam.slicing.cladding)</source>
+        <translation>recharger ces faces : stratégie « Rechargement d’une surface » (wcam.slicing.cladding)</translation>
+    </message>
+    <message>
+        <source>closed faces were divided, since %1 could not be tessellated whole</source>
+        <translation>les faces fermées ont été divisées, car %1 ne se laissaient pas mailler entières</translation>
+    </message>
+    <message>
+        <source>fill the layers of a solid: strategy &apos;Filled planar layers&apos; (wcam.slicing.bulk)</source>
+        <translation>remplir les couches d’un solide : stratégie « Couches planes remplies » (wcam.slicing.bulk)</translation>
+    </message>
+    <message>
+        <source>let the layers follow the surface: strategy &apos;Geodesic distance from the base&apos; (wcam.slicing.geodesic), or clad level faces (wcam.slicing.cladding)</source>
+        <translation>laisser les couches suivre la surface : stratégie « Distance géodésique depuis la base » (wcam.slicing.geodesic), ou recharger les faces horizontales (wcam.slicing.cladding)</translation>
+    </message>
+    <message>
+        <source>part %1 goes on for %2 mm above its last layer</source>
+        <translation>la pièce %1 continue sur %2 mm au-dessus de sa dernière couche</translation>
+    </message>
+    <message>
+        <source>part %1 reaches %2 mm below the plate; what lies there gets no layers</source>
+        <translation>la pièce %1 descend à %2 mm sous la plaque ; ce qui s’y trouve ne reçoit aucune couche</translation>
+    </message>
+    <message>
+        <source>part %1 reaches %2 mm into the substrate; what lies there gets no layers</source>
+        <translation>la pièce %1 pénètre de %2 mm dans le substrat ; ce qui s’y trouve ne reçoit aucune couche</translation>
+    </message>
+    <message>
+        <source>raise the part by %1 mm, so that it stands on the plate</source>
+        <translation>relever la pièce de %1 mm pour qu’elle repose sur la plaque</translation>
+    </message>
+    <message>
+        <source>split the range where the formula has a corner or a vertical tangent, if that is not near enough</source>
+        <translation>diviser l’intervalle là où la formule a un coin ou une tangente verticale, si ce n’est pas assez proche</translation>
+    </message>
+    <message>
+        <source>the seams of %1 faces were straightened, since they could not be tessellated as they are</source>
+        <translation>les coutures de %1 faces ont été redressées, car elles ne se laissaient pas mailler telles quelles</translation>
+    </message>
+    <message>
+        <source>the step is %1 mm instead of %2 mm, so that the last layer lies on the part&apos;s end</source>
+        <translation>le pas est de %1 mm au lieu de %2 mm, pour que la dernière couche soit à la fin de la pièce</translation>
+    </message>
+    <message>
+        <source>the surface follows its formula within %1 mm</source>
+        <translation>la surface suit sa formule à %1 mm près</translation>
+    </message>
+    <message>
+        <source>the iso-parametric curves run over the surface more than once: they meet each other or return to where they began</source>
+        <translation>les courbes isoparamétriques parcourent la surface plus d’une fois : elles se rencontrent ou reviennent à leur départ</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

@@ -37,14 +37,18 @@ inline const plugin::PluginHost& pluginHost() {
   return host;
 }
 
-/// Slices with a plugin's strategy; `params` is JSON text.
+/// Slices with a plugin's strategy; `params` is JSON text. Tests of methods know their layers by
+/// the step that they ask for: where they do not say what the last layer does, the step is kept.
 inline toolpath::SlicedLayers slice(const std::string& strategy,
                                     const plugin::SliceInput& input,
                                     const std::string& params,
                                     const JobContext& context = JobContext()) {
   const auto component = pluginHost().findSlicing(strategy);
-  return component->strategy->slice(input, component->info.params.complete(parseJson(params)),
-                                    context);
+  Value values = parseJson(params);
+  if (component->info.params.find("last_layer") != nullptr && !values.contains("last_layer")) {
+    values.set("last_layer", "leave");
+  }
+  return component->strategy->slice(input, component->info.params.complete(values), context);
 }
 
 }  // namespace wcam::test

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wcam/base/error.hpp"
+#include "wcam/base/quantity.hpp"
 #include "wcam/io/import.hpp"
 
 #include "cad_process.hpp"
@@ -8,14 +9,20 @@
 #include "io_files.hpp"
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <BinTools.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom2d_Line.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -601,6 +608,69 @@ TEST(CadImport, CancelStopsTheImport) {
                  CancelledError);
   }
   EXPECT_NO_THROW(importFile(kProjects / "hemisphere" / "hemisphere.step"));
+}
+
+/// A washer with a countersunk hole whose cone has a seam that is tilted in the parameters, as
+/// rounding leaves it. OpenCASCADE 7.6 does not tessellate such a cone.
+TopoDS_Shape washerWithTiltedSeam(double tilt) {
+  BRepBuilderAPI_MakePolygon profile;
+  for (const auto& [r, z] :
+       {std::pair{4.0, 0.0}, {12.0, 0.0}, {12.0, 7.0}, {9.0, 7.0}, {4.0, 2.0}}) {
+    profile.Add(gp_Pnt(r, 0, z));
+  }
+  profile.Close();
+  const TopoDS_Shape washer = BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(profile.Wire()),
+                                                    gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)))
+                                  .Shape();
+  for (TopExp_Explorer it(washer, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face face = TopoDS::Face(it.Current());
+    if (BRepAdaptor_Surface(face).GetType() != GeomAbs_Cone) {
+      continue;
+    }
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(edges.Current().Oriented(TopAbs_FORWARD));
+      if (!BRep_Tool::IsClosed(edge, face)) {
+        continue;
+      }
+      double first = 0.0;
+      double last = 0.0;
+      const auto tilted = [&](const TopoDS_Edge& side) -> Handle(Geom2d_Curve) {
+        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(side, face, first, last);
+        const gp_Pnt2d a = curve->Value(first);
+        const gp_Pnt2d b = curve->Value(last);
+        const gp_Dir2d along(b.X() - tilt - a.X(), b.Y() - a.Y());
+        return new Geom2d_Line(a.Translated(-first * gp_Vec2d(along)), along);
+      };
+      const Handle(Geom2d_Curve) one = tilted(edge);
+      const Handle(Geom2d_Curve) other = tilted(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)));
+      const BRep_Builder builder;
+      builder.UpdateEdge(edge, one, other, face, 1e-7);
+      builder.Range(edge, face, first, last);
+      break;
+    }
+  }
+  return washer;
+}
+
+TEST(CadImport, ConeWithATiltedSeamIsMended) {
+  const TemporaryFolder folder;
+  for (const double tilt : {3e-14, 1e-11, 1e-9}) {
+    SCOPED_TRACE(tilt);
+    writeBrep(washerWithTiltedSeam(tilt), folder / "washer.brep");
+    const JobContext context;
+    const ImportedPart part = importPart(folder / "washer.brep", {}, Pose::Identity(), context);
+    EXPECT_TRUE(part.surface->halfEdges.closed());
+    EXPECT_EQ(context.diagnostics().count("import.face_mended"), 1U);
+    EXPECT_EQ(context.diagnostics().count("import.face_not_meshed"), 0U);
+    double volume = 0.0;
+    for (const auto& t : part.surface->mesh.triangles) {
+      const auto& v = part.surface->mesh.vertices;
+      volume += v[t[0]].dot(v[t[1]].cross(v[t[2]])) / 6.0;
+    }
+    // Full cylinder less hole and countersink.
+    const double exact = kPi * (144.0 * 7.0 - 16.0 * 2.0 - 5.0 / 3.0 * (81.0 + 36.0 + 16.0));
+    EXPECT_NEAR(volume, exact, 2e-3 * exact);
+  }
 }
 
 }  // namespace

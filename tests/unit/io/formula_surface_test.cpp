@@ -279,5 +279,28 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"'type': 'parametric', 'x': '1', 'y': '1', 'z': '1', 'u': [0, 1], 'v': [0, 1]",
                 "single point"}));
 
+TEST(FormulaSurface, NearlyExactIsTakenAndReported) {
+  // The profile's curvature jumps at z = 1.3: splines come near, but not to 1e-7 of the size.
+  const JobContext context;
+  const TemporaryFolder folder;
+  writeBytes(folder / "part.wsurf",
+             surfaceText("'type': 'revolution', 'radius': '20+abs(z-1.3)*(z-1.3)', 'z': [0, 8]"));
+  const ImportedPart part = importPart(folder / "part.wsurf", {}, Pose::Identity(), context);
+  double reported = 0.0;
+  for (const Diagnostic& item : context.diagnostics().items()) {
+    if (item.code == "import.formula_deviation") {
+      reported = item.data.at(0).second;
+    }
+  }
+  EXPECT_GT(reported, 1e-6);
+  EXPECT_LE(reported, 1e-4);
+  double worst = 0.0;
+  sampleFaces(*part.surface, [&](const geometry::SurfacePoint& s, const Vec3&) {
+    const double z = s.p.z() - 1.3;
+    worst = std::max(worst, std::abs(std::hypot(s.p.x(), s.p.y()) - 20.0 - std::abs(z) * z));
+  });
+  EXPECT_LE(worst, 1e-4);
+}
+
 }  // namespace
 }  // namespace wcam::io

@@ -7,10 +7,12 @@
 #include "wcam/toolpath/layer_distance.hpp"
 
 #include "constant_fixture.hpp"
+#include "test_folder.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 /// Iso-parametric layers on the test parts of Chalvin (AT-02, AT-03, AT-07, AT-18, AT-19).
 namespace wcam::toolpath {
@@ -146,11 +148,121 @@ TEST(IsoRevolution, RefusesWhatIsNoRevolution) {
   };
   const auto box = test::meshSurface(test::boxMesh({-10, -6, 0}, {10, 6, 8}));
   EXPECT_THAT(refusal(inputOf(box), R"({"mode": "revolution"})"),
-              testing::HasSubstr("no body of revolution"));
-  EXPECT_THAT(refusal(inputOf(box), "{}"), testing::HasSubstr("is a mesh"));
+              ::testing::HasSubstr("no body of revolution"));
+  EXPECT_THAT(refusal(inputOf(box), "{}"), ::testing::HasSubstr("is a mesh"));
   EXPECT_THAT(refusal(inputOf(formulaPart("p4_quarter_torus.wsurf")),
                       R"({"mode": "revolution", "custom_axis": true})"),
-              testing::HasSubstr("off the profile"));
+              ::testing::HasSubstr("off the profile"));
+}
+
+double lengthOf(const SlicedLayers& sliced) {
+  double length = 0.0;
+  for (const SlicedLayer& layer : sliced.layers) {
+    for (const Contour& contour : layer.contours) {
+      const std::size_t n = contour.points.size();
+      for (std::size_t i = 0; i + (contour.closed ? 0 : 1) < n; ++i) {
+        length += (contour.points[(i + 1) % n].p - contour.points[i].p).norm();
+      }
+    }
+  }
+  return length;
+}
+
+std::shared_ptr<const geometry::PartSurface> partFrom(const std::string& surface) {
+  const wcam::testing::TestFolder folder;
+  std::ofstream(folder / "part.wsurf") << R"({"format_version": 1, "surface": )" << surface << "}";
+  return io::importPart(folder / "part.wsurf", {}, geometry::Pose::Identity(), JobContext())
+      .surface;
+}
+
+std::shared_ptr<const geometry::PartSurface> asMesh(
+    const std::shared_ptr<const geometry::PartSurface>& part) {
+  auto mesh = std::make_shared<geometry::PartSurface>();
+  mesh->mesh = part->mesh;
+  mesh->halfEdges = geometry::HalfEdges(mesh->mesh);
+  return mesh;
+}
+
+TEST(IsoRevolution, ParallelsEndAtTheSidesOfASector) {
+  // A cone of ±60 degrees, from radius 40 to 10 over 40 mm: slant 50 mm, 25 steps.
+  const auto part = partFrom(
+      R"json({"type": "parametric", "x": "(40-0.75*v)*cos(u)", "y": "(40-0.75*v)*sin(u)", "z": "v",
+          "u": ["-pi/3", "pi/3"], "v": [0, 40]})json");
+  for (const bool mesh : {false, true}) {
+    const SlicedLayers sliced =
+        isoparam(inputOf(mesh ? asMesh(part) : part), R"({"step": 2.0, "mode": "revolution"})");
+    ASSERT_EQ(sliced.layers.size(), 25U);
+    double expected = 0.0;
+    for (std::size_t n = 0; n < sliced.layers.size(); ++n) {
+      ASSERT_EQ(sliced.layers[n].contours.size(), 1U);
+      const Contour& contour = sliced.layers[n].contours[0];
+      EXPECT_FALSE(contour.closed);
+      const double radius = 40.0 - 1.2 * static_cast<double>(n + 1);
+      expected += 2.0 * kPi / 3.0 * radius;
+      for (const ContourPoint* end : {&contour.points.front(), &contour.points.back()}) {
+        EXPECT_NEAR(std::abs(std::atan2(end->p.y(), end->p.x())), kPi / 3.0, mesh ? 2e-3 : 1e-6);
+      }
+      const Vec3 t = contour.points[1].p - contour.points[0].p;
+      EXPECT_GT(t.cross(contour.points[0].n).z(), 0.0);
+    }
+    EXPECT_NEAR(lengthOf(sliced), expected, mesh ? 2.0 : 0.5);
+  }
+}
+
+TEST(IsoRevolution, ParallelsOfAQuarterTorusStayOnIt) {
+  const auto part = formulaPart("p4_quarter_torus.wsurf");
+  const SlicedLayers sliced = isoparam(inputOf(part), R"({"step": 2.0})");
+  // A quarter turn at each step of the tube's circle: π/2·Σr, about π/2·50·47.
+  EXPECT_NEAR(lengthOf(sliced), 3650.0, 60.0);
+  for (const SlicedLayer& layer : sliced.layers) {
+    for (const Contour& contour : layer.contours) {
+      for (const ContourPoint& point : contour.points) {
+        EXPECT_GE(point.p.z(), -1e-3);
+      }
+    }
+  }
+}
+
+TEST(IsoRevolution, HolesPartTheParallels) {
+  // A tube with a window of 60 by 10 degrees: faces that the parallels cross twice.
+  geometry::TriangleMesh tube = test::tubeMesh(30.0, 40.0, 120, 20);
+  tube.triangles.erase(
+      std::remove_if(
+          tube.triangles.begin(), tube.triangles.end(),
+          [&](const std::array<std::uint32_t, 3>& t) {
+            const Vec3 c = (tube.vertices[t[0]] + tube.vertices[t[1]] + tube.vertices[t[2]]) / 3.0;
+            return std::abs(std::atan2(c.y(), c.x())) < kPi / 6.0 && c.z() > 10.0 && c.z() < 30.0;
+          }),
+      tube.triangles.end());
+  const SlicedLayers sliced =
+      isoparam(inputOf(test::meshSurface(std::move(tube))), R"({"step": 4.0})");
+  ASSERT_EQ(sliced.layers.size(), 10U);
+  for (const SlicedLayer& layer : sliced.layers) {
+    const bool open = layer.level > 11.0 && layer.level < 29.0;
+    ASSERT_EQ(layer.contours.size(), 1U);
+    EXPECT_EQ(layer.contours[0].closed, !open) << layer.level;
+  }
+}
+
+TEST(IsoFaces, CurvesThatMeetEachOtherAreRefusedEarly) {
+  // A bow from plate to plate: fronts from both feet run over each other.
+  const auto bow = partFrom(
+      R"json({"type": "parametric", "x": "(50+12*cos(v))*cos(u)", "y": "12*sin(v)",
+          "z": "(50+12*cos(v))*sin(u)", "u": [0, "pi"], "v": [0, "2*pi"], "closed_v": true})json");
+  // A whole torus that stands in the plate: they would go on for ever.
+  const auto torus = partFrom(
+      R"json({"type": "parametric", "x": "(50+12*cos(v))*cos(u)", "y": "12*sin(v)",
+              "z": "(50+12*cos(v))*sin(u)", "u": [0, "2*pi"], "v": [0, "2*pi"],
+              "closed_u": true, "closed_v": true})json");
+  for (const auto& part : {bow, torus}) {
+    try {
+      static_cast<void>(isoparam(inputOf(part), R"({"step": 2.0, "mode": "faces"})"));
+      FAIL() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::JobFailed);
+      EXPECT_THAT(std::string(error.what()), ::testing::HasSubstr("more than once"));
+    }
+  }
 }
 
 TEST(IsoFaces, TorusDipsAsTheTheorySays) {
@@ -213,10 +325,26 @@ TEST(IsoFaces, TorusOnACylinderHasFourteenLayers) {
 }
 
 TEST(IsoFaces, CurvesGoOnOverTheEdgesOfFaces) {
-  // The nozzle's three faces: cone-like, ring, cone-like; the ring breaks the curves.
-  const SlicedLayers sliced = isoparam(inputOf(test::importSample("elbow/elbow.step")),
-                                       R"({"step": 2.0, "mode": "faces"})");
-  EXPECT_GT(sliced.layers.size(), 20U);
+  // Two faces that continue each other at z = 15, between the layers: one wall of 40 mm.
+  const auto wall = partFrom(
+      R"json({"type": "revolution", "radius": [{"z": [0, 15], "radius": "30"},
+                                           {"z": [15, 40], "radius": "30"}]})json");
+  ASSERT_EQ(wall->brep->faceCount(), 2);
+  const SlicedLayers sliced = isoparam(inputOf(wall), R"({"step": 2.0, "mode": "faces"})");
+  ASSERT_EQ(sliced.layers.size(), 20U);
+  for (std::size_t n = 0; n < sliced.layers.size(); ++n) {
+    ASSERT_EQ(sliced.layers[n].contours.size(), 1U);
+    EXPECT_TRUE(sliced.layers[n].contours[0].closed);
+    for (const ContourPoint& point : sliced.layers[n].contours[0].points) {
+      EXPECT_NEAR(point.p.z(), 2.0 * static_cast<double>(n + 1), 1e-6);
+      EXPECT_NEAR(std::hypot(point.p.x(), point.p.y()), 30.0, 1e-6);
+    }
+  }
+  // A cone of 45 degrees does not continue a cylinder: its face stays without layers.
+  const auto kink = partFrom(
+      R"json({"type": "revolution", "radius": [{"z": [0, 16], "radius": "30"},
+                                           {"z": [16, 26], "radius": "46-z"}]})json");
+  EXPECT_EQ(isoparam(inputOf(kink), R"({"step": 2.0, "mode": "faces"})").layers.size(), 8U);
 }
 
 TEST(IsoFaces, RefusesParametersThatRunAlongTheBase) {
@@ -225,8 +353,8 @@ TEST(IsoFaces, RefusesParametersThatRunAlongTheBase) {
                                R"({"mode": "faces", "direction": "v"})"));
     FAIL() << "accepted";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("face 0"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("90 degrees"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("face 0"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("90 degrees"));
   }
 }
 

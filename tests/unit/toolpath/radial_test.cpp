@@ -30,7 +30,7 @@ geometry::TriangleMesh flange(double inner, double outer) {
 TEST(RadialSlicing, FlangeGrowsFromTheShaftInCircles) {
   const SlicedLayers sliced =
       test::slice("wcam.slicing.radial", inputOf(test::meshSurface(flange(20.0, 50.5))),
-                  R"({"step": 2.0, "start": 20.0})");
+                  R"({"step": 2.0, "start": 20.0, "last_layer": "leave"})");
   ASSERT_EQ(sliced.layers.size(), 15U);
   EXPECT_TRUE(sliced.curved);
   for (std::size_t l = 0; l < sliced.layers.size(); ++l) {
@@ -60,27 +60,37 @@ TEST(RadialSlicing, FlangeGrowsFromTheShaftInCircles) {
 }
 
 TEST(RadialSlicing, SpheresAndConesAreMetExactly) {
-  const auto part = test::meshSurface(test::tubeMesh(30.0, 80.0, 90, 60));
-  const SlicedLayers spheres = test::slice("wcam.slicing.radial", inputOf(part),
-                                           R"({"shape": "sphere", "step": 4.0, "start": 30.0})");
-  for (const SlicedLayer& layer : spheres.layers) {
-    for (const Contour& contour : layer.contours) {
-      for (const ContourPoint& point : contour.points) {
-        EXPECT_NEAR(point.p.norm(), layer.level, 0.03);
+  // On a tube of radius 30 a sphere of radius s cuts z = √(s² − 900), a cone 2·h − √3·30.
+  const auto part = test::meshSurface(test::tubeMesh(30.0, 80.0, 360, 80));
+  const auto expectCircles = [](const SlicedLayers& sliced, const std::vector<double>& heights) {
+    ASSERT_EQ(sliced.layers.size(), heights.size());
+    for (std::size_t l = 0; l < heights.size(); ++l) {
+      ASSERT_EQ(sliced.layers[l].contours.size(), 1U);
+      EXPECT_TRUE(sliced.layers[l].contours[0].closed);
+      for (const ContourPoint& point : sliced.layers[l].contours[0].points) {
+        // Facets of one degree lie inside the circle by 0.0012 mm.
+        EXPECT_NEAR(point.p.z(), heights[l], 2e-3) << l;
+        EXPECT_NEAR(std::hypot(point.p.x(), point.p.y()), 30.0, 2e-3);
       }
     }
+  };
+  std::vector<double> heights;
+  for (double s = 34.0; s * s < 900.0 + 6400.0; s += 4.0) {
+    heights.push_back(std::sqrt(s * s - 900.0));
   }
-  const SlicedLayers cones = test::slice("wcam.slicing.radial", inputOf(part),
-                                         R"({"shape": "cone", "cone_angle": 60.0, "step": 2.0})");
-  for (const SlicedLayer& layer : cones.layers) {
-    for (const Contour& contour : layer.contours) {
-      for (const ContourPoint& point : contour.points) {
-        EXPECT_NEAR(std::cos(degToRad(60.0)) * point.p.z() +
-                        std::sin(degToRad(60.0)) * std::hypot(point.p.x(), point.p.y()),
-                    layer.level, 0.03);
-      }
-    }
+  expectCircles(test::slice("wcam.slicing.radial", inputOf(part),
+                            R"({"shape": "sphere", "step": 4.0, "start": 30.0,
+                                "last_layer": "leave"})"),
+                heights);
+  // The cone's own start is the tube's lower border, at √3/2·30 from the cone through the origin.
+  heights.clear();
+  for (double h = 2.0; h <= 40.0; h += 2.0) {
+    heights.push_back(2.0 * h);
   }
+  expectCircles(test::slice("wcam.slicing.radial", inputOf(part),
+                            R"({"shape": "cone", "cone_angle": 60.0, "step": 2.0,
+                                "last_layer": "leave"})"),
+                heights);
 }
 
 TEST(RadialSlicing, HalfPlanesCutARingIntoCircles) {

@@ -91,17 +91,35 @@ TEST(ChordSampling, SpacingBoundsFlatCurves) {
 }
 
 TEST(ChordSampling, CornersOfExactPartsStayPoints) {
-  plugin::SliceInput input{{test::importSample("supportless/supportless_sample.stp")},
-                           test::plate(),
-                           nullptr,
-                           {0.01, 1000.0}};
-  const auto sliced = test::slice("wcam.slicing.planar", input, R"({"step": 10.0})");
+  const auto part = test::importSample("supportless/supportless_sample.stp");
+  plugin::SliceInput input{{part}, test::plate(), nullptr, {0.01, 1000.0}};
+  const auto sliced =
+      test::slice("wcam.slicing.planar", input, R"({"step": 10.0, "last_layer": "leave"})");
+  // The part has level edges and plane faces only: a plane between its faces crosses its edges in
+  // the corners of the section.
+  std::size_t corners = 0;
   for (const SlicedLayer& layer : sliced.layers) {
-    for (const Contour& contour : layer.contours) {
-      // A triangular column and rectangular arms: no contour loses a corner.
-      EXPECT_GE(contour.points.size(), 3U);
+    for (std::uint32_t h = 0; h < 3 * part->mesh.triangles.size(); ++h) {
+      const auto& t = part->mesh.triangles[h / 3];
+      const geometry::Vec3& a = part->mesh.vertices[t[h % 3]];
+      const geometry::Vec3& b = part->mesh.vertices[t[(h % 3 + 1) % 3]];
+      constexpr double kClear = 0.01;
+      if (part->binding.edge[h] < 0 || std::min(a.z(), b.z()) > layer.level - kClear ||
+          std::max(a.z(), b.z()) < layer.level + kClear) {
+        continue;
+      }
+      const geometry::Vec3 corner = a + (layer.level - a.z()) / (b.z() - a.z()) * (b - a);
+      double nearest = 1e9;
+      for (const Contour& contour : layer.contours) {
+        for (const ContourPoint& point : contour.points) {
+          nearest = std::min(nearest, (point.p - corner).norm());
+        }
+      }
+      EXPECT_LT(nearest, 1e-6) << corner.transpose();
+      ++corners;
     }
   }
+  EXPECT_GT(corners, 20U);
 }
 
 }  // namespace

@@ -3,13 +3,16 @@
 
 #include "wcam/toolpath/spiral.hpp"
 
+#include "wcam/base/error.hpp"
 #include "wcam/base/parallel.hpp"
 #include "wcam/base/remedy.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/geometry/segment_tree.hpp"
 #include "wcam/geometry/surface_projector.hpp"
 
 #include "sample_meshes.hpp"
 #include "slicing_fixture.hpp"
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,10 +106,15 @@ TEST(SpiralSlicing, CylinderIsAHelixOfTheExpectedHeight) {
   const auto part = test::meshSurface(test::tubeMesh(25.0, 100.0, 256, 100));
   const Spiral result = spiral(part, R"({"step": 2.0, "start": "ramp", "generatrices": 360})");
   const Contour& bead = result.bead();
-  const double pitch = result.number("deposit_mean_mm");
-  const double slope = std::atan(pitch / (2.0 * kPi * 25.0));
-  for (std::size_t i = bead.turns[2]; i < bead.turns[bead.turns.size() - 2]; ++i) {
-    EXPECT_NEAR(bead.points[i].height, pitch * std::cos(slope), 2e-3);
+  // One turn below each point lies the same angle: the climb between them is D.
+  const std::size_t around = bead.turns[3] - bead.turns[2];
+  ASSERT_EQ(around, 360U);
+  for (std::size_t i = bead.turns[3]; i < bead.turns[bead.turns.size() - 2]; ++i) {
+    const double pitch = bead.points[i].p.z() - bead.points[i - around].p.z();
+    EXPECT_NEAR(pitch, 2.0, 0.02);
+    const double slope = std::atan(pitch / (2.0 * kPi * 25.0));
+    // D − D·cos γ is 1.6e-4: the bound tells one from the other.
+    EXPECT_NEAR(bead.points[i].height, pitch * std::cos(slope), 5e-5);
   }
   // Travel clockwise seen from above, so that b = t × n points up (A26).
   const Vec3 t = bead.points[1].p - bead.points[0].p;
@@ -126,6 +134,22 @@ TEST(SpiralSlicing, SlantedTubeIsFeasibleInsideTheDerivedLimit) {
                R"({"step": 1.0, "start": "ramp", "decomposition": ")" + method + "\"}");
     EXPECT_NEAR(result.number("longest_mm"), 100.0, 0.3);
     EXPECT_NEAR(result.number("shortest_mm"), 100.0 - 50.0 * std::tan(degToRad(15.0)), 0.3);
+  }
+  // Both sides of the limit: tan β = 0.1·100/25 at 21.8 degrees.
+  for (const auto& [degrees, feasible] : {std::pair{20.0, true}, std::pair{24.0, false}}) {
+    geometry::TriangleMesh tube = test::tubeMesh(25.0, 100.0, 128, 50);
+    for (Vec3& p : tube.vertices) {
+      p.z() *= 1.0 + p.x() * std::tan(degToRad(degrees)) / 100.0;
+    }
+    const auto part = test::meshSurface(std::move(tube));
+    const char* params = R"({"step": 1.0, "start": "none", "end": "literal"})";
+    try {
+      static_cast<void>(spiral(part, params));
+      EXPECT_TRUE(feasible) << degrees;
+    } catch (const Error& error) {
+      EXPECT_FALSE(feasible) << degrees << ": " << error.what();
+      EXPECT_THAT(error.what(), testing::HasSubstr("needs a deposit of"));
+    }
   }
 }
 
@@ -333,6 +357,27 @@ TEST(SpiralSlicing, FieldFormAgreesWithTheGeneratrices) {
     for (std::size_t i = from + 1; i < to; ++i) {
       ASSERT_LT((bead.points[i].p - bead.points[i - 1].p).norm(), 5.5) << i;
     }
+    // Each revolution lies a deposit above the one before it, whatever the form.
+    const auto first = static_cast<std::size_t>(field.number("start_revolutions"));
+    const auto last = bead.turns.size() - static_cast<std::size_t>(field.number("end_revolutions"));
+    for (std::size_t k = first + 1; k + 1 < last; ++k) {
+      geometry::SegmentTree below;
+      std::vector<Vec3> turn;
+      for (std::size_t i = bead.turns[k - 1]; i < bead.turns[k]; ++i) {
+        turn.push_back(bead.points[i].p);
+      }
+      below.add(turn, false);
+      below.build();
+      for (std::size_t i = bead.turns[k]; i < bead.turns[k + 1]; ++i) {
+        // The beginning follows the end of the revolution below.
+        if ((bead.points[i].p - bead.points[bead.turns[k]].p).norm() < 6.0) {
+          continue;
+        }
+        const double distance = below.distance(bead.points[i].p);
+        ASSERT_GT(distance, 1.75) << k;
+        ASSERT_LT(distance, 2.25) << k;
+      }
+    }
   }
 }
 
@@ -348,6 +393,11 @@ TEST(SpiralSlicing, HeightsRepeatFromRevolutionToRevolution) {
       const double here = bead.points[bead.turns[k] + i].height;
       EXPECT_NEAR(here, bead.points[bead.turns[k - 1] + i].height, 2e-3);
       EXPECT_LE(here, result.number("deposit_max_mm") + 1e-9);
+      // Against the climb at this very point.
+      const double climb =
+          (bead.points[bead.turns[k] + i].p - bead.points[bead.turns[k - 1] + i].p).norm();
+      EXPECT_LE(here, climb + 1e-4);
+      EXPECT_GE(here, climb * 0.995);
     }
   }
 }
