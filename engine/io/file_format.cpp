@@ -144,7 +144,8 @@ FileFormat detectFormat(const std::filesystem::path& file, std::string_view byte
   }
   if (const auto foreign = foreignFormat(bytes)) {
     throw Error(ErrorCode::InputInvalid,
-                extension ? text("is %1, not a %2 file", {foreign->name, toString(*extension)})
+                extension ? text("is %1, not a part in the format %2",
+                                 {foreign->name, toString(*extension)})
                           : text("is %1, not a part", {foreign->name}),
                 pathText(file), foreign->remedy);
   }

@@ -51,7 +51,7 @@ bool atFacet(TextScanner scanner) {
     return false;
   }
   const std::string_view next = scanner.word();
-  return equalNoCase(next, "normal") || equalNoCase(next, "outer");
+  return equalNoCase(next, "normal") || equalNoCase(next, "outer") || equalNoCase(next, "vertex");
 }
 
 bool isComment(std::string_view word) {

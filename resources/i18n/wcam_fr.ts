@@ -8070,6 +8070,618 @@
         <source>the iso-parametric curves run over the surface more than once: they meet each other or return to where they began</source>
         <translation>les courbes isoparamétriques parcourent la surface plus d’une fois : elles se rencontrent ou reviennent à leur départ</translation>
     </message>
+    <message>
+        <source>%1 beam lattices with %2 beams are left out</source>
+        <translation>%1 structures en treillis (%2 poutres) sont laissées de côté</translation>
+    </message>
+    <message>
+        <source>%1 bodies meet around %2 mm and cannot be united, since a surface crosses itself or has too many triangles; where they overlap, paths fill the space more than once</source>
+        <translation>%1 corps se rencontrent vers %2 mm et ne peuvent pas être réunis, car une surface se recoupe ou a trop de triangles ; là où ils se recouvrent, les trajectoires remplissent l&apos;espace plusieurs fois</translation>
+    </message>
+    <message>
+        <source>%1 bodies overlap by %2 mm³, first around %3 mm; paths fill this space more than once</source>
+        <translation>%1 corps se recouvrent de %2 mm³, d&apos;abord vers %3 mm ; les trajectoires remplissent cet espace plusieurs fois</translation>
+    </message>
+    <message>
+        <source>%1 bodies overlap by %2 mm³, first around %3 mm; they were united, so that this material counts once</source>
+        <translation>%1 corps se recouvrent de %2 mm³, d&apos;abord vers %3 mm ; ils ont été réunis, cette matière ne compte qu&apos;une fois</translation>
+    </message>
+    <message>
+        <source>%1 calls of other files in the OBJ file are not followed</source>
+        <translation>%1 appels d&apos;autres fichiers dans le fichier OBJ ne sont pas suivis</translation>
+    </message>
+    <message>
+        <source>%1 free-form curves and surfaces of the OBJ file are left out</source>
+        <translation>%1 courbes et surfaces gauches du fichier OBJ sont laissées de côté</translation>
+    </message>
+    <message>
+        <source>%1 has %2 instead of a finite number</source>
+        <translation>%1 contient %2 au lieu d&apos;un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 has %2, which is too large</source>
+        <translation>%1 contient %2, ce qui est trop grand</translation>
+    </message>
+    <message>
+        <source>%1 has a coordinate of %2, which is too large</source>
+        <translation>%1 a une coordonnée de %2, ce qui est trop grand</translation>
+    </message>
+    <message>
+        <source>%1 items that are marked as not printable are left out</source>
+        <translation>%1 éléments marqués comme non imprimables sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 lines, points and faces with fewer than three corners are left out</source>
+        <translation>%1 lignes, points et faces de moins de trois sommets sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 modifiers, support blockers and the like are left out</source>
+        <translation>%1 modificateurs, bloqueurs de supports et semblables sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 objects of the type &apos;other&apos; are left out</source>
+        <translation>%1 objets du type « other » sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 shells inside others (%2 mm³, first around %3 mm) are turned outwards like them and count as solid material</source>
+        <translation>%1 coques à l&apos;intérieur d&apos;autres (%2 mm³, d&apos;abord vers %3 mm) sont orientées vers l&apos;extérieur comme elles et comptent comme matière pleine</translation>
+    </message>
+    <message>
+        <source>%1 shells inside others (%2 mm³, first around %3 mm) are turned outwards like them; paths fill them more than once</source>
+        <translation>%1 coques à l&apos;intérieur d&apos;autres (%2 mm³, d&apos;abord vers %3 mm) sont orientées vers l&apos;extérieur comme elles ; les trajectoires les remplissent plusieurs fois</translation>
+    </message>
+    <message>
+        <source>%1 supports are left out</source>
+        <translation>%1 supports sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 tessellated items that are no triangles are left out</source>
+        <translation>%1 éléments tessellés qui ne sont pas des triangles sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 texts of the STEP file are in an encoding that is not known; letters beyond ASCII in names are replaced</source>
+        <translation>%1 textes du fichier STEP sont dans un codage inconnu ; les lettres hors ASCII des noms sont remplacées</translation>
+    </message>
+    <message>
+        <source>%1 texts of the STEP file are not in an encoding of the standard; they were read as %2</source>
+        <translation>%1 textes du fichier STEP ne sont pas dans un codage de la norme ; ils ont été lus comme %2</translation>
+    </message>
+    <message>
+        <source>a comma outside of a function (position %1)</source>
+        <translation>une virgule hors d&apos;une fonction (position %1)</translation>
+    </message>
+    <message>
+        <source>a tag is longer than %1 bytes</source>
+        <translation>une balise dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>an assignment (position %1)</source>
+        <translation>une affectation (position %1)</translation>
+    </message>
+    <message>
+        <source>check the names of bodies, faces and edges</source>
+        <translation>vérifiez les noms des corps, des faces et des arêtes</translation>
+    </message>
+    <message>
+        <source>check the unit, and export the part again</source>
+        <translation>vérifiez l&apos;unité et exportez à nouveau la pièce</translation>
+    </message>
+    <message>
+        <source>check this face in the CAD system, and export the part again</source>
+        <translation>vérifiez cette face dans le logiciel de CAO et exportez à nouveau la pièce</translation>
+    </message>
+    <message>
+        <source>cut it with the program that made it and export the result</source>
+        <translation>faites la découpe avec le programme d&apos;origine et exportez le résultat</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>download the file itself, not the page that shows it</source>
+        <translation>téléchargez le fichier lui-même, et non la page qui le montre</translation>
+    </message>
+    <message>
+        <source>entity #%1 %2</source>
+        <translation>l&apos;entité #%1 %2</translation>
+    </message>
+    <message>
+        <source>export the assembly as one file</source>
+        <translation>exportez l&apos;assemblage en un seul fichier</translation>
+    </message>
+    <message>
+        <source>export the part as STEP, or as STL, OBJ, PLY or 3MF</source>
+        <translation>exportez la pièce en STEP, ou en STL, OBJ, PLY ou 3MF</translation>
+    </message>
+    <message>
+        <source>export the part as a mesh or as STEP</source>
+        <translation>exportez la pièce en maillage ou en STEP</translation>
+    </message>
+    <message>
+        <source>export the part as one file</source>
+        <translation>exportez la pièce en un seul fichier</translation>
+    </message>
+    <message>
+        <source>export the part with exact geometry, or as STL or 3MF</source>
+        <translation>exportez la pièce avec une géométrie exacte, ou en STL ou 3MF</translation>
+    </message>
+    <message>
+        <source>face %1 has a coordinate of %2 mm, which is no possible place</source>
+        <translation>la face %1 a une coordonnée de %2 mm, ce qui n&apos;est pas un lieu possible</translation>
+    </message>
+    <message>
+        <source>give them the type &apos;model&apos; if they are to be built</source>
+        <translation>donnez-leur le type « model » s&apos;ils doivent être construits</translation>
+    </message>
+    <message>
+        <source>has a coordinate of %1 mm (vertex %2), which is too large</source>
+        <translation>a une coordonnée de %1 mm (sommet %2), ce qui est trop grand</translation>
+    </message>
+    <message>
+        <source>has a coordinate of point %1 that is no number or too large</source>
+        <translation>a une coordonnée du point %1 qui n&apos;est pas un nombre ou qui est trop grande</translation>
+    </message>
+    <message>
+        <source>has a damaged list</source>
+        <translation>a une liste endommagée</translation>
+    </message>
+    <message>
+        <source>has a length unit that is not known</source>
+        <translation>a une unité de longueur inconnue</translation>
+    </message>
+    <message>
+        <source>has a point without three coordinates</source>
+        <translation>a un point sans trois coordonnées</translation>
+    </message>
+    <message>
+        <source>has a triangle without three corners</source>
+        <translation>a un triangle sans trois sommets</translation>
+    </message>
+    <message>
+        <source>has an index that is no positive whole number</source>
+        <translation>a un indice qui n&apos;est pas un entier positif</translation>
+    </message>
+    <message>
+        <source>has no context</source>
+        <translation>n&apos;a pas de contexte</translation>
+    </message>
+    <message>
+        <source>has no coordinates</source>
+        <translation>n&apos;a pas de coordonnées</translation>
+    </message>
+    <message>
+        <source>has no items</source>
+        <translation>n&apos;a pas d&apos;éléments</translation>
+    </message>
+    <message>
+        <source>has no list where one belongs</source>
+        <translation>n&apos;a pas de liste là où il en faut une</translation>
+    </message>
+    <message>
+        <source>has tessellated geometry that is placed apart (#%1), which is not read</source>
+        <translation>a une géométrie tessellée placée à part (#%1), qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>has tessellated geometry, but no triangles that can be read</source>
+        <translation>a une géométrie tessellée, mais aucun triangle lisible</translation>
+    </message>
+    <message>
+        <source>has too few parameters</source>
+        <translation>a trop peu de paramètres</translation>
+    </message>
+    <message>
+        <source>is %1, not a part in the format %2</source>
+        <translation>est %1, et non une pièce au format %2</translation>
+    </message>
+    <message>
+        <source>is %1, not a part</source>
+        <translation>est %1, et non une pièce</translation>
+    </message>
+    <message>
+        <source>is a device or a pipe, not a file</source>
+        <translation>est un périphérique ou un tube, et non un fichier</translation>
+    </message>
+    <message>
+        <source>is a text that begins with %1 instead of &apos;solid&apos;</source>
+        <translation>est un texte qui commence par %1 au lieu de « solid »</translation>
+    </message>
+    <message>
+        <source>is an assembly of tessellated geometry, whose placements are not read</source>
+        <translation>est un assemblage de géométrie tessellée, dont les placements ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>is an assembly whose parts stand in %1 other files, the first is &apos;%2&apos;</source>
+        <translation>est un assemblage dont les pièces se trouvent dans %1 autres fichiers, le premier est « %2 »</translation>
+    </message>
+    <message>
+        <source>is no 3MF model, its first element is %1</source>
+        <translation>n&apos;est pas un modèle 3MF, son premier élément est %1</translation>
+    </message>
+    <message>
+        <source>is no list of coordinates</source>
+        <translation>n&apos;est pas une liste de coordonnées</translation>
+    </message>
+    <message>
+        <source>is not a readable ZIP package: its directory is missing</source>
+        <translation>n&apos;est pas une archive ZIP lisible : son répertoire manque</translation>
+    </message>
+    <message>
+        <source>is one volume of a divided ZIP archive</source>
+        <translation>est un volume d&apos;une archive ZIP divisée</translation>
+    </message>
+    <message>
+        <source>its library cannot be loaded: it is not a file</source>
+        <translation>sa bibliothèque ne peut pas être chargée : ce n&apos;est pas un fichier</translation>
+    </message>
+    <message>
+        <source>make a surface of the points first</source>
+        <translation>faites d&apos;abord une surface de ces points</translation>
+    </message>
+    <message>
+        <source>mark them as printable in the program that made the file if they are wanted</source>
+        <translation>marquez-les comme imprimables dans le programme d&apos;origine s&apos;ils sont voulus</translation>
+    </message>
+    <message>
+        <source>name the file of the part</source>
+        <translation>indiquez le fichier de la pièce</translation>
+    </message>
+    <message>
+        <source>object &apos;%1&apos; has a coordinate that is too large: %2</source>
+        <translation>l&apos;objet « %1 » a une coordonnée trop grande : %2</translation>
+    </message>
+    <message>
+        <source>object &apos;%1&apos; is there twice</source>
+        <translation>l&apos;objet « %1 » existe deux fois</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; grows from %2 to %3 when it is unpacked; at most %4 times its size is taken</source>
+        <translation>l&apos;élément « %1 » passe de %2 à %3 une fois décompressé ; au plus %4 fois sa taille est accepté</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is damaged: it cannot be unpacked beyond %2 bytes</source>
+        <translation>l&apos;élément « %1 » est endommagé : il ne se décompresse pas au-delà de %2 octets</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is damaged: it has %2 bytes instead of %3</source>
+        <translation>l&apos;élément « %1 » est endommagé : il a %2 octets au lieu de %3</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is damaged: it has more than the %2 bytes that the directory tells</source>
+        <translation>l&apos;élément « %1 » est endommagé : il dépasse les %2 octets indiqués par le répertoire</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is damaged: its checksum is wrong</source>
+        <translation>l&apos;élément « %1 » est endommagé : sa somme de contrôle est fausse</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is encrypted</source>
+        <translation>l&apos;élément « %1 » est chiffré</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is packed by method %2; only deflate is known</source>
+        <translation>l&apos;élément « %1 » est compressé par la méthode %2 ; seule deflate est connue</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos; is there twice</source>
+        <translation>l&apos;élément « %1 » existe deux fois</translation>
+    </message>
+    <message>
+        <source>refers to itself</source>
+        <translation>se réfère à elle-même</translation>
+    </message>
+    <message>
+        <source>refers to point %1, which does not exist</source>
+        <translation>se réfère au point %1, qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>save it as STL, OBJ, PLY or 3MF with the program that made it</source>
+        <translation>enregistrez-le en STL, OBJ, PLY ou 3MF avec le programme d&apos;origine</translation>
+    </message>
+    <message>
+        <source>save the content in a file first</source>
+        <translation>enregistrez d&apos;abord le contenu dans un fichier</translation>
+    </message>
+    <message>
+        <source>shapes of the 3MF extension &apos;%1&apos; are left out; only meshes are read</source>
+        <translation>les formes de l&apos;extension 3MF « %1 » sont laissées de côté ; seuls les maillages sont lus</translation>
+    </message>
+    <message>
+        <source>the STEP file has tessellated geometry only: its %1 triangles are read, and there are no exact surfaces</source>
+        <translation>le fichier STEP n&apos;a qu&apos;une géométrie tessellée : ses %1 triangles sont lus, il n&apos;y a pas de surfaces exactes</translation>
+    </message>
+    <message>
+        <source>the STEP file has tessellated shapes beside exact ones; the exact ones are read</source>
+        <translation>le fichier STEP a des formes tessellées à côté de formes exactes ; les formes exactes sont lues</translation>
+    </message>
+    <message>
+        <source>the ZIP archive has no 3MF model &apos;%1&apos;; its first file is &apos;%2&apos;</source>
+        <translation>l&apos;archive ZIP n&apos;a pas de modèle 3MF « %1 » ; son premier fichier est « %2 »</translation>
+    </message>
+    <message>
+        <source>the ZIP archive is cut off</source>
+        <translation>l&apos;archive ZIP est tronquée</translation>
+    </message>
+    <message>
+        <source>the directory of the ZIP archive is damaged</source>
+        <translation>le répertoire de l&apos;archive ZIP est endommagé</translation>
+    </message>
+    <message>
+        <source>the face refers to vertex %1; the file has %2</source>
+        <translation>la face se réfère au sommet %1 ; le fichier en a %2</translation>
+    </message>
+    <message>
+        <source>the file has no triangles; it is a point cloud of %1 points</source>
+        <translation>le fichier n&apos;a pas de triangles ; c&apos;est un nuage de %1 points</translation>
+    </message>
+    <message>
+        <source>the file is damaged or is not an STL file; export it again</source>
+        <translation>le fichier est endommagé ou n&apos;est pas un fichier STL ; exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the file is damaged; export it again</source>
+        <translation>le fichier est endommagé ; exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the file was made to fill the memory; do not use it</source>
+        <translation>le fichier a été fait pour saturer la mémoire ; ne l&apos;utilisez pas</translation>
+    </message>
+    <message>
+        <source>the file was not finished or is not an STL file; export it again</source>
+        <translation>le fichier est inachevé ou n&apos;est pas un fichier STL ; exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>the header tells no triangles, but %1 bytes follow it</source>
+        <translation>l&apos;en-tête n&apos;annonce aucun triangle, mais %1 octets le suivent</translation>
+    </message>
+    <message>
+        <source>the model needs the 3MF extension &apos;%1&apos; (%2), which is not known</source>
+        <translation>le modèle a besoin de l&apos;extension 3MF « %1 » (%2), qui est inconnue</translation>
+    </message>
+    <message>
+        <source>the model needs the 3MF extension &apos;%1&apos;, which is not read</source>
+        <translation>le modèle a besoin de l&apos;extension 3MF « %1 », qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>the negative volume &apos;%1&apos; cannot be cut out of &apos;%2&apos; and is left out; the part is solid there</source>
+        <translation>le volume négatif « %1 » ne peut pas être soustrait de « %2 » et est laissé de côté ; la pièce y est pleine</translation>
+    </message>
+    <message>
+        <source>the negative volume &apos;%1&apos; was cut out of the part</source>
+        <translation>le volume négatif « %1 » a été soustrait de la pièce</translation>
+    </message>
+    <message>
+        <source>the package builds %1 triangles; at most %2 are taken</source>
+        <translation>le paquet construit %1 triangles ; au plus %2 sont acceptés</translation>
+    </message>
+    <message>
+        <source>the package has no triangles to build</source>
+        <translation>le paquet n&apos;a pas de triangles à construire</translation>
+    </message>
+    <message>
+        <source>the package has no triangles, only beam lattices</source>
+        <translation>le paquet n&apos;a pas de triangles, seulement des structures en treillis</translation>
+    </message>
+    <message>
+        <source>the package has nothing to build: its items are marked as not printable</source>
+        <translation>le paquet n&apos;a rien à construire : ses éléments sont marqués comme non imprimables</translation>
+    </message>
+    <message>
+        <source>turn the beams into a mesh with the program that made the file</source>
+        <translation>convertissez les poutres en maillage avec le programme d&apos;origine</translation>
+    </message>
+    <message>
+        <source>turn the normals of a shell over if it is a cavity, else remove it</source>
+        <translation>retournez les normales de la coque si c&apos;est une cavité, sinon supprimez-la</translation>
+    </message>
+    <message>
+        <source>turn them into a mesh with the program that made the file</source>
+        <translation>convertissez-les en maillage avec le programme d&apos;origine</translation>
+    </message>
+    <message>
+        <source>unite the bodies in the CAD system</source>
+        <translation>réunissez les corps dans le logiciel de CAO</translation>
+    </message>
+    <message>
+        <source>unite the bodies in the CAD system, or move them apart</source>
+        <translation>réunissez les corps dans le logiciel de CAO, ou écartez-les</translation>
+    </message>
+    <message>
+        <source>unpack the archive and open the part in it</source>
+        <translation>décompressez l&apos;archive et ouvrez la pièce qu&apos;elle contient</translation>
+    </message>
+    <message>
+        <source>vertex %1 has a coordinate of %2, which is too large</source>
+        <translation>le sommet %1 a une coordonnée de %2, ce qui est trop grand</translation>
+    </message>
+    <message>
+        <source>write %1, with a decimal point</source>
+        <translation>écrivez %1, avec un point décimal</translation>
+    </message>
+    <message>
+        <source>write one formula, not a list</source>
+        <translation>écrivez une seule formule, et non une liste</translation>
+    </message>
+    <message>
+        <source>write the formula alone, without a name and &apos;=&apos;; &apos;==&apos; compares</source>
+        <translation>écrivez la formule seule, sans nom ni « = » ; « == » compare</translation>
+    </message>
+    <message>
+        <source>a 7-Zip archive</source>
+        <translation>une archive 7-Zip</translation>
+    </message>
+    <message>
+        <source>a Blender scene</source>
+        <translation>une scène Blender</translation>
+    </message>
+    <message>
+        <source>a CATIA document</source>
+        <translation>un document CATIA</translation>
+    </message>
+    <message>
+        <source>a COLLADA scene</source>
+        <translation>une scène COLLADA</translation>
+    </message>
+    <message>
+        <source>a Creo model</source>
+        <translation>un modèle Creo</translation>
+    </message>
+    <message>
+        <source>a DWG drawing</source>
+        <translation>un dessin DWG</translation>
+    </message>
+    <message>
+        <source>a DXF drawing</source>
+        <translation>un dessin DXF</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>une image GIF</translation>
+    </message>
+    <message>
+        <source>a Gmsh mesh</source>
+        <translation>un maillage Gmsh</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>une image JPEG</translation>
+    </message>
+    <message>
+        <source>a JT model</source>
+        <translation>un modèle JT</translation>
+    </message>
+    <message>
+        <source>a LAS point cloud</source>
+        <translation>un nuage de points LAS</translation>
+    </message>
+    <message>
+        <source>a PCD point cloud</source>
+        <translation>un nuage de points PCD</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>un document PDF</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>une image PNG</translation>
+    </message>
+    <message>
+        <source>a Parasolid model</source>
+        <translation>un modèle Parasolid</translation>
+    </message>
+    <message>
+        <source>a PostScript document</source>
+        <translation>un document PostScript</translation>
+    </message>
+    <message>
+        <source>a RAR archive</source>
+        <translation>une archive RAR</translation>
+    </message>
+    <message>
+        <source>a Rhino model</source>
+        <translation>un modèle Rhino</translation>
+    </message>
+    <message>
+        <source>a TIFF picture</source>
+        <translation>une image TIFF</translation>
+    </message>
+    <message>
+        <source>a VRML scene</source>
+        <translation>une scène VRML</translation>
+    </message>
+    <message>
+        <source>a VTK file</source>
+        <translation>un fichier VTK</translation>
+    </message>
+    <message>
+        <source>a Zstandard archive</source>
+        <translation>une archive Zstandard</translation>
+    </message>
+    <message>
+        <source>a bzip2 archive</source>
+        <translation>une archive bzip2</translation>
+    </message>
+    <message>
+        <source>a compound document (such as SolidWorks, Inventor or older Office files)</source>
+        <translation>un document composite (comme les fichiers SolidWorks, Inventor ou d&apos;anciens fichiers Office)</translation>
+    </message>
+    <message>
+        <source>a file of zeros only</source>
+        <translation>un fichier qui ne contient que des zéros</translation>
+    </message>
+    <message>
+        <source>a glTF scene</source>
+        <translation>une scène glTF</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>une archive gzip</translation>
+    </message>
+    <message>
+        <source>a pointer of Git LFS</source>
+        <translation>un pointeur Git LFS</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>un programme</translation>
+    </message>
+    <message>
+        <source>a program of Windows</source>
+        <translation>un programme Windows</translation>
+    </message>
+    <message>
+        <source>an ACIS model</source>
+        <translation>un modèle ACIS</translation>
+    </message>
+    <message>
+        <source>an AMF model</source>
+        <translation>un modèle AMF</translation>
+    </message>
+    <message>
+        <source>an E57 point cloud</source>
+        <translation>un nuage de points E57</translation>
+    </message>
+    <message>
+        <source>an FBX scene</source>
+        <translation>une scène FBX</translation>
+    </message>
+    <message>
+        <source>an HTML page</source>
+        <translation>une page HTML</translation>
+    </message>
+    <message>
+        <source>an OFF mesh</source>
+        <translation>un maillage OFF</translation>
+    </message>
+    <message>
+        <source>an RTF document</source>
+        <translation>un document RTF</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>un dessin SVG</translation>
+    </message>
+    <message>
+        <source>an X3D scene</source>
+        <translation>une scène X3D</translation>
+    </message>
+    <message>
+        <source>an XML document</source>
+        <translation>un document XML</translation>
+    </message>
+    <message>
+        <source>an xz archive</source>
+        <translation>une archive xz</translation>
+    </message>
+    <message>
+        <source>its content was lost; take another copy of it</source>
+        <translation>son contenu est perdu ; prenez-en une autre copie</translation>
+    </message>
+    <message>
+        <source>the model part of a 3MF package without its package</source>
+        <translation>le modèle d&apos;un paquet 3MF sans son paquet</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
