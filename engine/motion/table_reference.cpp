@@ -140,15 +140,6 @@ private:
     fast_.assign(line_.targets.size(), 0);
     anyTurn_.assign(line_.targets.size(), 0);
     bool any = false;
-    for (std::size_t k = 0; k < fast_.size(); ++k) {
-      const std::size_t target = line_.targets[k];
-      anyTurn_[k] = arcs_.anyTurn(targets_[target].up, kFreedoms.back().part) ? 1 : 0;
-      if (k > 0 && anyTurn_[k] != 0 && anyTurn_[k - 1] != 0) {
-        const double turn = aligned_.joints[target][1] - aligned_.joints[line_.targets[k - 1]][1];
-        fast_[k] = std::abs(turn) > kTurnSample ? 1 : 0;
-        any = any || fast_[k] != 0;
-      }
-    }
     std::array<double, 2> before{};
     std::array<double, 2> tiltBefore{};
     for (std::size_t k = 0; k < fast_.size(); ++k) {
@@ -168,7 +159,16 @@ private:
       before = now;
       tiltBefore = tilt;
     }
-    return any;
+    for (std::size_t k = 0; k < fast_.size(); ++k) {
+      const std::size_t target = line_.targets[k];
+      anyTurn_[k] = arcs_.anyTurn(targets_[target].up, kFreedoms.back().part) ? 1 : 0;
+      if (k > 0 && anyTurn_[k] != 0 && anyTurn_[k - 1] != 0 && fast_[k] == 0) {
+        const double turn = aligned_.joints[target][1] - aligned_.joints[line_.targets[k - 1]][1];
+        fast_[k] = std::abs(turn) > kTurnSample ? 1 : 0;
+        turnsOver_ = turnsOver_ || fast_[k] != 0;
+      }
+    }
+    return any || turnsOver_;
   }
 
   /// Freedom of each target of the line.
@@ -185,7 +185,8 @@ private:
       result[k] = until <= window || fast_[k] != 0 ? freedom.part : result[k];
       until = fast_[k] != 0 ? line_.step[k] : until + line_.step[k];
       // Where the table may stand anyhow it rests.
-      result[k] = anyTurn_[k] != 0 ? kFreedoms.back().part : result[k];
+      const bool rests = anyTurn_[k] != 0 && (turnsOver_ || result[k] == 0.0);
+      result[k] = rests ? kFreedoms.back().part : result[k];
     }
     return result;
   }
@@ -370,6 +371,7 @@ private:
   bool endless_;
   std::vector<char> fast_;
   std::vector<char> anyTurn_;  ///< the table may stand at any turn
+  bool turnsOver_ = false;     ///< where it may, although slowly enough
 };
 
 }  // namespace

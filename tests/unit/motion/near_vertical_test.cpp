@@ -237,7 +237,10 @@ TEST(Cable, LimitOfTheCellHoldsInEveryModeThatChoosesTheRotation) {
       const PlannedMotion planned = planMotion(path, cell, params, "op", context);
       EXPECT_LE(planned.statistics.maxCableTwist, cell.cable->limit + 1e-6)
           << redundancyKey(mode) << " from " << 30 * k;
-      EXPECT_EQ(context.diagnostics().count("motion.cable_twist"), 0U);
+      // On beads; travel moves follow the bead beside them.
+      for (const Diagnostic& finding : context.diagnostics().items()) {
+        EXPECT_FALSE(finding.code == "motion.cable_twist" && finding.place.point >= 0);
+      }
     }
   }
 }
