@@ -37,14 +37,11 @@ Value vectorOf(const std::array<double, 3>& numbers) {
   return Value(Value::Array{numbers[0], numbers[1], numbers[2]});
 }
 
-Command moveCommand(const char* command,
-                    const std::string& id,
-                    const Placement& placement,
-                    const geometry::Pose& move) {
+/// The placement after a move, in the form of files.
+Value movedPlacement(const Placement& placement, const geometry::Pose& move) {
   const Placement moved = toPlacement(move * toPose(placement));
-  const Value value = Value::object(
+  return Value::object(
       {{"position_mm", vectorOf(moved.positionMm)}, {"rotation_deg", vectorOf(moved.rotationDeg)}});
-  return {command, Value::object({{"id", id}, {"placement", value}})};
 }
 
 }  // namespace
@@ -73,10 +70,15 @@ std::vector<Command> placementCommands(const Document& document,
   }
   std::vector<Command> commands;
   for (const std::string& id : parts) {
-    commands.push_back(moveCommand("part.set", id, project.part(id)->placement, move));
+    commands.push_back(
+        {"part.set",
+         Value::object(
+             {{"id", id}, {"placement", movedPlacement(project.part(id)->placement, move)}})});
   }
   if (substrate != nullptr) {
-    commands.push_back(moveCommand("substrate.set", substrate->id, substrate->placement, move));
+    // A substrate's placement stands among its own keys.
+    Value args = movedPlacement(substrate->placement, move);
+    commands.push_back({"substrate.set", args.set("id", substrate->id)});
   }
   return commands;
 }

@@ -43,15 +43,14 @@ Document elbowAt(double x, double y, double z) {
       {{"part.set", Value::object({{"id", "elbow"},
                                    {"placement", Value::object({{"position_mm", position}})}})},
        {"substrate.set",
-        Value::object(
-            {{"id", "plate"}, {"placement", Value::object({{"position_mm", position}})}})}});
+        Value::object({{"id", "plate"}, {"position_mm", position}})}});
 }
 
 TEST(Remedies, WhatIsOfferedDoesWhatItSays) {
   std::size_t offered = 0;
   std::size_t complete = 0;
   for (const Document& document :
-       {elbowAt(0, 0, 0), elbowAt(420, 0, 0), elbowAt(0, -520, 0), elbowAt(0, 0, 420)}) {
+       {elbowAt(0, 0, 0), elbowAt(700, 0, 0), elbowAt(1000, 0, 0)}) {
     const OperationResult result = compute(document, "planar");
     ASSERT_EQ(result.remedies.size(), result.findings.size());
     std::vector<Command> followed;
@@ -86,8 +85,9 @@ TEST(Remedies, WhatIsOfferedDoesWhatItSays) {
       }
     }
   }
-  EXPECT_GT(offered, 0U);
-  EXPECT_GT(complete, 0U);
+  // A parameter at the one place, a turn of the part at the other.
+  EXPECT_GE(offered, 2U);
+  EXPECT_GE(complete, 2U);
 }
 
 TEST(Remedies, ReportAndErrorsHoldTheCommandsForScripts) {

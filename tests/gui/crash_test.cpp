@@ -3,6 +3,8 @@
 // Programs that end badly, and the ones that are started after them: whole processes with a real
 // window.
 
+#include "wcam/base/file_io.hpp"
+
 #include "gui_fixture.hpp"
 #include "widgets/text.hpp"
 #include <signal.h>

@@ -89,6 +89,7 @@ TEST_F(RemedyWindow, TheRangeOfASpiralIsAppliedWithOneClickAndDoes) {
   const GeneratedOperation* refused = window.session().generated().operation("planar");
   ASSERT_TRUE(refused->error) << "the lengths of an elbow differ too much for the default range";
   ASSERT_GE(applicableRow(), 0) << refused->error->what();
+  const std::string hint = refused->error->hint();
   clickApply();
   ASSERT_TRUE(waitFor([&] { return !window.session().stale(); }));
   const GeneratedOperation* applied = window.session().generated().operation("planar");
@@ -102,8 +103,8 @@ TEST_F(RemedyWindow, TheRangeOfASpiralIsAppliedWithOneClickAndDoes) {
   const Value& params = window.session().document().project().operation("planar")->params;
   const QString low = QString::number(params.at("height_min").asReal(), 'f', 2);
   const QString high = QString::number(params.at("height_max").asReal(), 'f', 2);
-  EXPECT_TRUE(qt(refused->error->hint()).contains(low + " to " + high))
-      << refused->error->hint() << " but " << utf8(low) << " to " << utf8(high);
+  EXPECT_TRUE(qt(hint).contains(low + " to " + high))
+      << hint << " but " << utf8(low) << " to " << utf8(high);
   // One step.
   window.actions().action("edit.undo")->trigger();
   EXPECT_FALSE(
