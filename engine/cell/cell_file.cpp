@@ -60,10 +60,9 @@ void readRobot(Reader& reader, const Value& file, Cell& cell) {
   if (robot == nullptr) {
     return;
   }
-  reader.knownKeys(
-      *robot, "robot",
-      {"name", "controller", "T_world_base", "joints", "T_last_flange", "zero_conventions",
-       "collision"});
+  reader.knownKeys(*robot, "robot",
+                   {"name", "controller", "T_world_base", "joints", "T_last_flange",
+                    "zero_conventions", "collision"});
   cell.robotName = reader.text(*robot, "robot", "name", true);
   (void)reader.text(*robot, "robot", "controller", false);  // controllerOf() reads it
   cell.T_world_base = reader.pose(*robot, "robot", "T_world_base", false);

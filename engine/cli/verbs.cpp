@@ -158,12 +158,11 @@ int newVerb(const Session& session) {
     writeFileAtomically(copy.target, copy.content);
   }
   const std::string name = options.name.empty() ? file.stem().native() : options.name;
-  project::Document document =
-      project::Document::parse(
-          projectTemplate(
-              name, part, cell,
-              project::newOutputs(*session.plugins, project::resolvePath(file, {cell, ""}))),
-          pathText(file));
+  project::Document document = project::Document::parse(
+      projectTemplate(
+          name, part, cell,
+          project::newOutputs(*session.plugins, project::resolvePath(file, {cell, ""}))),
+      pathText(file));
   document = project::apply(document, project::pinCommand(document, file));
   project::saveProject(document, file);
   session.console.say("made " + pathText(file));

@@ -174,14 +174,13 @@ private:
   [[nodiscard]] std::optional<Target> liftedFrom(const JointVector& joints) const {
     const Pose T_table_tcp =
         cell::T_base_table(cell_, joints).inverse() * cell::T_base_tcp(cell_, joints);
-    const Pose lifted =
-        T_table_tcp * Pose(Eigen::Translation3d(0.0, 0.0, arc_.liftHeight));
+    const Pose lifted = T_table_tcp * Pose(Eigen::Translation3d(0.0, 0.0, arc_.liftHeight));
     const Pose T_base_flange =
         cell_.partCarried()
             ? Pose(cell_.T_base_tcp * lifted.inverse() * cell_.T_flange_table.inverse())
             : Pose(cell::T_base_table(cell_, joints) * lifted * cell_.T_flange_tcp.inverse());
-    const cell::InverseSolution found = cell_.inverse->solve(
-        T_base_flange, cell_.inverse->branchOf(joints.data()), joints.data());
+    const cell::InverseSolution found =
+        cell_.inverse->solve(T_base_flange, cell_.inverse->branchOf(joints.data()), joints.data());
     if (!found.reachable) {
       return std::nullopt;
     }
@@ -220,8 +219,8 @@ private:
   int bead_ = -1;
   bool arcOn_ = false;
   double wireSpeed_ = -1.0;
-  std::size_t inBead_ = 0;    ///< moves of the open bead so far
-  std::vector<Lift> lifts_;   ///< of the open bead
+  std::size_t inBead_ = 0;   ///< moves of the open bead so far
+  std::vector<Lift> lifts_;  ///< of the open bead
 };
 
 }  // namespace

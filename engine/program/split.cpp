@@ -111,8 +111,8 @@ private:
           lifted_.push_back(i);
         }
       }
-      arc = std::holds_alternative<ArcOn>(action) ||
-            (arc && !std::holds_alternative<ArcOff>(action));
+      arc =
+          std::holds_alternative<ArcOn>(action) || (arc && !std::holds_alternative<ArcOff>(action));
       inBead = std::holds_alternative<BeadBegin>(action) ||
                (inBead && !std::holds_alternative<BeadEnd>(action));
       lifted = !arc && (targetOf(action) != nullptr || lifted) &&
@@ -129,13 +129,14 @@ private:
     }
     if (end == part.begin) {
       const Size needed = lead + sizeOf(all_[end].action);
-      throw Error(ErrorCode::InvalidArgument,
-                  text("a program of %1 positions and %2 lines has no room for a move",
-                       {std::to_string(limits_.positions), std::to_string(limits_.lines)}),
-                  program_.name,
-                  text("allow at least %1 positions and %2 lines per program",
-                       {std::to_string(needed.positions),
-                        std::to_string(needed.lines + static_cast<std::size_t>(limits_.headLines))}));
+      throw Error(
+          ErrorCode::InvalidArgument,
+          text("a program of %1 positions and %2 lines has no room for a move",
+               {std::to_string(limits_.positions), std::to_string(limits_.lines)}),
+          program_.name,
+          text("allow at least %1 positions and %2 lines per program",
+               {std::to_string(needed.positions),
+                std::to_string(needed.lines + static_cast<std::size_t>(limits_.headLines))}));
     }
     return end;
   }

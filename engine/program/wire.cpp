@@ -47,17 +47,18 @@ void reportUnwrittenWire(const Program& program, const Text& remedy, const JobCo
   if (speeds.changes == 0) {
     return;
   }
-  context.add({Severity::Violation,
-               "post.wire_not_written",
-               text("the wire speed changes %1 times, between %2 and %3 m/min, and the program does "
-                    "not write it",
-                    {std::to_string(speeds.changes), formatFixed(metresPerMinute(speeds.least), 2),
-                     formatFixed(metresPerMinute(speeds.greatest), 2)}),
-               remedy,
-               {program.name},
-               {{"changes", static_cast<double>(speeds.changes)},
-                {"least_m_min", metresPerMinute(speeds.least)},
-                {"greatest_m_min", metresPerMinute(speeds.greatest)}}});
+  context.add(
+      {Severity::Violation,
+       "post.wire_not_written",
+       text("the wire speed changes %1 times, between %2 and %3 m/min, and the program does "
+            "not write it",
+            {std::to_string(speeds.changes), formatFixed(metresPerMinute(speeds.least), 2),
+             formatFixed(metresPerMinute(speeds.greatest), 2)}),
+       remedy,
+       {program.name},
+       {{"changes", static_cast<double>(speeds.changes)},
+        {"least_m_min", metresPerMinute(speeds.least)},
+        {"greatest_m_min", metresPerMinute(speeds.greatest)}}});
 }
 
 }  // namespace wcam::program

@@ -27,8 +27,8 @@ namespace {
 constexpr int kPartVersion = 2;
 constexpr int kSubstrateVersion = 1;
 constexpr int kSliceVersion = 4;
-constexpr int kPathVersion = 2;
-constexpr int kEditsVersion = 2;
+constexpr int kPathVersion = 3;
+constexpr int kEditsVersion = 3;
 constexpr int kProcessVersion = 2;
 constexpr int kCellVersion = 3;
 constexpr int kMotionVersion = 5;
@@ -174,38 +174,39 @@ void checkController(const plugin::ComponentInfo& post,
                      const program::Program& program,
                      const JobContext& context) {
   const std::string& controller = program.cell.controller;
-  if (post.controllers.empty() ||
-      std::find(post.controllers.begin(), post.controllers.end(), controller) !=
-          post.controllers.end()) {
+  if (post.controllers.empty() || std::find(post.controllers.begin(), post.controllers.end(),
+                                            controller) != post.controllers.end()) {
     return;
   }
   const std::string makes = joinText(post.controllers, ", ");
   if (controller.empty()) {
-    context.add({Severity::Information,
-                 "post.controller_unknown",
-                 text("the cell does not name its controller; the program is written for %1", {makes}),
-                 "name it in the cell file (robot.controller)",
-                 {program.name},
-                 {}});
+    context.add(
+        {Severity::Information,
+         "post.controller_unknown",
+         text("the cell does not name its controller; the program is written for %1", {makes}),
+         "name it in the cell file (robot.controller)",
+         {program.name},
+         {}});
     return;
   }
   const Value* other = params.find(plugin::kOtherController);
   if (other == nullptr || !other->isBool() || !other->asBool()) {
-    throw Error(ErrorCode::JobFailed,
-                text("the controller of the cell is %1, this post-processor writes for %2",
-                     {controller, makes}),
-                program.name,
-                text("take the post-processor of the controller; %1=true writes the program all the "
-                     "same",
-                     {std::string(plugin::kOtherController)}));
+    throw Error(
+        ErrorCode::JobFailed,
+        text("the controller of the cell is %1, this post-processor writes for %2",
+             {controller, makes}),
+        program.name,
+        text("take the post-processor of the controller; %1=true writes the program all the "
+             "same",
+             {std::string(plugin::kOtherController)}));
   }
-  context.add({Severity::Warning,
-               "post.other_controller",
-               text("the controller of the cell is %1, the program is written for %2",
-                    {controller, makes}),
-               "check every joint value and frame before it runs",
-               {program.name},
-               {}});
+  context.add(
+      {Severity::Warning,
+       "post.other_controller",
+       text("the controller of the cell is %1, the program is written for %2", {controller, makes}),
+       "check every joint value and frame before it runs",
+       {program.name},
+       {}});
 }
 
 }  // namespace
@@ -650,8 +651,8 @@ OperationResult Pipeline::computeStages(const Operation& operation,
         if (motion::hasPauses(built)) {
           checked.planned = motion::withPauses(std::move(checked.planned), built);
         }
-        checked.planned = motion::withCraters(std::move(checked.planned),
-                                              result.process.craterTime.value());
+        checked.planned =
+            motion::withCraters(std::move(checked.planned), result.process.craterTime.value());
         return checked;
       });
   collectFrom(motion);

@@ -291,9 +291,8 @@ void computeAll(const Pipeline& pipeline,
 }  // namespace
 
 bool prints(const Output& output, const std::string& operation) {
-  return output.operations.empty() ||
-         std::find(output.operations.begin(), output.operations.end(), operation) !=
-             output.operations.end();
+  return output.operations.empty() || std::find(output.operations.begin(), output.operations.end(),
+                                                operation) != output.operations.end();
 }
 
 PrintedOutput printOutput(const Pipeline& pipeline,

@@ -101,7 +101,7 @@ std::string operationTable(const OperationResult& result) {
         row.integer(static_cast<int>(b));
         row.integer(static_cast<int>(i));
         row.position(point.p);
-        row.vector(point.n);
+        row.vector(layer.beads[b].outward(point));
         row.vector(point.b);
         row.vector(point.axis);
         row.fixed(point.height, kFigureDecimals);

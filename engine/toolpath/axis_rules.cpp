@@ -56,7 +56,7 @@ public:
     const bool tilts = params_.lead.value() != 0.0 || params_.lateralTilt.value() != 0.0;
     std::vector<Vec3> axes = ups;
     for (std::size_t i = 0; i < axes.size() && tilts; ++i) {
-      axes[i] = tilted(bead.points[i].t, ups[i]);
+      axes[i] = tilted(bead.points[i].t, bead.outward(bead.points[i]), ups[i]);
     }
     if (tilts) {
       smooth(bead, axes);
@@ -115,10 +115,9 @@ private:
     return limitedAxis(axis, vertical_, params_.axisLimit);
   }
 
-  [[nodiscard]] Vec3 tilted(const Vec3& travel, const Vec3& up) const {
-    Vec3 t = travel - travel.dot(up) * up;
-    t = t.norm() > kNoDirection ? Vec3(t.normalized()) : up.unitOrthogonal();
-    return tiltedAxis(t, up.cross(t), up, params_.lead, params_.lateralTilt);
+  [[nodiscard]] Vec3 tilted(const Vec3& travel, const Vec3& outward, const Vec3& up) const {
+    const TiltFrame frame = tiltFrame(travel, outward, up);
+    return tiltedAxis(frame.along, frame.outwards, up, params_.lead, params_.lateralTilt);
   }
 
   void smooth(const Bead& bead, std::vector<Vec3>& axes) {

@@ -31,6 +31,7 @@ Bead makeBead(const Contour& contour, const SlicedLayer& layer, bool reversed) {
   bead.closed = contour.closed;
   bead.part = contour.part;
   bead.feature = contour.feature;
+  bead.back = reversed;
   bead.revolutions = static_cast<int>(contour.turns.size());
   const std::size_t n = contour.points.size();
   bead.points.resize(n + (contour.closed ? 1 : 0));
@@ -42,8 +43,7 @@ Bead makeBead(const Contour& contour, const SlicedLayer& layer, bool reversed) {
         contour.closed ? contour.points[(i + 1) % n].p : contour.points[std::min(i + 1, n - 1)].p;
     PathPoint& point = bead.points[i];
     point.p = here.p;
-    // A reversed bead keeps its build direction: the normal then points to the other side of the
-    // travel.
+    // A reversed bead keeps its build direction: n is then the inward normal.
     setFrame(point, tangentAt(before, here.p, after), reversed ? Vec3(-here.n) : here.n, layer.up);
     point.height = here.height;
     point.width = here.width;
@@ -291,7 +291,7 @@ Toolpath buildToolpath(const SlicedLayers& contours,
     const std::vector<OrderedContour> ordered = order.arrange(source, l, sliced.asGiven);
     reportSeams(order.seams().takeTooClose(), static_cast<int>(l), params, context);
     for (const OrderedContour& item : ordered) {
-      layer.beads.push_back(makeBead(item.contour, source, item.reversed));
+      layer.beads.push_back(makeBead(item.contour, source, item.reversed != item.contour.back));
     }
     setAxes(layer, ordered, sliced.curved, substrate, params, static_cast<int>(l), context);
     const std::vector<Support> supports =

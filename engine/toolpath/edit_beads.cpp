@@ -177,9 +177,11 @@ std::size_t reverseBead(Bead& bead, const Edit&, const ZoneParams& zones) {
     takeMove(point, body[i == 0 ? 0 : body.size() - i]);
     point.t = -point.t;
     point.n = -point.n;
-    // Half a turn about the build direction: lead and lateral tilt stay as the travel sees them.
-    point.axis = (2.0 * point.axis.dot(point.up) * point.up - point.axis).normalized();
+    // The lead stays as the travel sees it, the lateral tilt on its side of the wall.
+    const Vec3 along = tiltFrame(point.t, point.n, point.up).along;
+    point.axis = (point.axis - 2.0 * point.axis.dot(along) * along).normalized();
   }
+  bead.back = !bead.back;
   bead.points = std::move(back);
   addZones(bead, zones);
   return 1;
@@ -272,11 +274,10 @@ namespace {
 /// Beyond this lean from the build direction no torch deposits on what lies below it, rad.
 const double kMostLean = degToRad(80.0);
 
-PathPoint leaned(PathPoint point, const Edit& edit, double weight, std::size_t& limited) {
+PathPoint leaned(
+    PathPoint point, const Vec3& outward, const Edit& edit, double weight, std::size_t& limited) {
   const Vec3& up = point.up;
-  Vec3 t = point.t - point.t.dot(up) * up;
-  t = t.norm() > kNoDirection ? Vec3(t.normalized()) : up.unitOrthogonal();
-  const Vec3 side = up.cross(t);
+  const auto [t, side] = tiltFrame(point.t, outward, up);
   const double height = point.axis.dot(up);
   double lead = std::atan2(point.axis.dot(t), height);
   double lateral = std::atan2(point.axis.dot(side), height);
@@ -362,7 +363,7 @@ std::size_t tiltAxes(Bead& bead, const Edit& edit, std::size_t& limited) {
     // A border may lie off its point by rounding.
     const double weight = away <= kSamePlace ? 1.0 : away < blend ? 1.0 - away / blend : 0.0;
     if (weight > 0.0) {
-      bead.points[i] = leaned(bead.points[i], edit, weight, limited);
+      bead.points[i] = leaned(bead.points[i], bead.outward(bead.points[i]), edit, weight, limited);
       ++changed;
     }
   }

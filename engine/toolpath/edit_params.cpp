@@ -372,7 +372,7 @@ const std::vector<EditTypeInfo>& editTypes() {
       {EditType::SetLead, "set_lead", "Change the lead angle",
        "The torch leans forward or back along the travel."},
       {EditType::SetLateral, "set_lateral", "Change the lateral tilt",
-       "The torch leans to the side."}};
+       "The torch leans to the side; positive leans outwards."}};
   return types;
 }
 

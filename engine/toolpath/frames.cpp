@@ -22,6 +22,13 @@ Vec3 tangentAt(const Vec3& before, const Vec3& p, const Vec3& after) {
                                              : Vec3((l2 > 0.0 ? d2 : d1).normalized());
 }
 
+TiltFrame tiltFrame(const Vec3& travel, const Vec3& outward, const Vec3& up) {
+  Vec3 along = travel - travel.dot(up) * up;
+  along = along.norm() > kNoDirection ? Vec3(along.normalized()) : up.unitOrthogonal();
+  const Vec3 left = up.cross(along);
+  return {along, left.dot(outward) < 0.0 ? Vec3(-left) : left};
+}
+
 void setFrame(PathPoint& point, const Vec3& t, const Vec3& surfaceNormal, const Vec3& fallbackUp) {
   Vec3 b = t.cross(surfaceNormal);
   if (b.norm() < kNoDirection) {

@@ -297,7 +297,21 @@ private:
     if (!has(kNx) && has(kBx)) {
       setNormalsFromBuildDirection(contour, run);
     }
+    if (has(kNx) && has(kBx)) {
+      contour.back = runsBack(contour.closed, run);
+    }
     path_.layers.back().push_back(std::move(contour));
+  }
+
+  /// Travel and outward normal give the opposite of the build direction: the bead was reversed.
+  static bool runsBack(bool closed, const std::vector<Row>& run) {
+    const std::size_t n = run.size();
+    double sum = 0.0;
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+      const Vec3 way = run[(i + 1) % n].point.p - run[i].point.p;
+      sum += way.cross(run[i].point.n).dot(run[i].b);
+    }
+    return sum < 0.0;
   }
 
   static void setNormalsFromBuildDirection(Contour& contour, const std::vector<Row>& run) {

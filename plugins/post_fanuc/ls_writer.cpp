@@ -51,17 +51,16 @@ void addFrame(std::vector<std::string>& remarks, const std::string& name, const 
                       number(p[static_cast<Eigen::Index>(i)], kLengthDecimals));
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    remarks.push_back(
-        name + kAngles[i] +
-        number(wcam::radToDeg(wpr[static_cast<Eigen::Index>(i)]), kAngleDecimals));
+    remarks.push_back(name + kAngles[i] +
+                      number(wcam::radToDeg(wpr[static_cast<Eigen::Index>(i)]), kAngleDecimals));
   }
 }
 
 /// What a program was planned with: an operator compares it with the controller.
 std::vector<std::string> provenance(const Program& program, const Dialect& dialect) {
   const CellFacts& cell = program.cell;
-  std::vector<std::string> remarks = {"Project " + program.projectName,
-                                      "Operation " + program.name, "Cell " + cell.cellName};
+  std::vector<std::string> remarks = {"Project " + program.projectName, "Operation " + program.name,
+                                      "Cell " + cell.cellName};
   if (!cell.torchName.empty()) {
     remarks.push_back("Torch " + cell.torchName);
   }

@@ -58,7 +58,8 @@ void tell(const Program& program,
   if (dialect.wireRegister == 0) {
     wcam::program::reportUnwrittenWire(
         program,
-        "name the register that hands the wire speed to the welding source (wire_register), or plan "
+        "name the register that hands the wire speed to the welding source (wire_register), or "
+        "plan "
         "with one wire speed: ramps and edits that keep it, wire_follows_speed off",
         context);
   }
@@ -66,7 +67,7 @@ void tell(const Program& program,
     constexpr double kPercent = 100.0;
     context.add({Severity::Warning,
                  "post.speed_rounded",
-                 wcam::text("written speeds differ from the planned ones by up to %1 %",
+                 wcam::text("the speeds of the program differ from the planned ones by up to %1 %",
                             {wcam::formatFixed(kPercent * state.worstSpeedError, 1)}),
                  "write speeds in cm/min (speed_unit) or with more decimals (speed_decimals)",
                  {program.name},
@@ -91,16 +92,15 @@ public:
         program, limits, dialect.programName, {dialect.longestName(), kWords}, context);
     std::vector<OutputFile> files;
     if (split.chained) {
-      files.push_back(
-          {split.main + ".LS",
-           printMain(split.main, program.name, program, split.calls(), dialect)});
+      files.push_back({split.main + ".LS",
+                       printMain(split.main, program.name, program, split.calls(), dialect)});
     }
     ModalState state;
     state.configuration = program.cell.configuration;
     std::size_t done = 0;
     for (const wcam::program::NamedPart& part : split.parts) {
-      files.push_back({part.name + ".LS",
-                       printPart(part, program.name, program, dialect, state, context)});
+      files.push_back(
+          {part.name + ".LS", printPart(part, program.name, program, dialect, state, context)});
       context.report(static_cast<double>(++done) / static_cast<double>(split.parts.size()));
     }
     tell(program, dialect, state, context);

@@ -96,16 +96,16 @@ void addController(Schema<Dialect>& schema) {
                             .group = "Controller",
                             .min = 1,
                             .max = 32})
-      .add(
-          &Dialect::base,
-          {.key = "base",
-           .label = "Base number",
-           .help = "n of BASE_DATA[n]; 0 writes $NULLFRAME. Positions are complete: with a coupled "
-                   "positioner the base must be its table frame, with a part that the robot carries "
-                   "the fixed torch (never 0), else the robot base.",
-           .group = "Controller",
-           .min = 0,
-           .max = 128})
+      .add(&Dialect::base,
+           {.key = "base",
+            .label = "Base number",
+            .help =
+                "n of BASE_DATA[n]; 0 writes $NULLFRAME. Positions are complete: with a coupled "
+                "positioner the base must be its table frame, with a part that the robot carries "
+                "the fixed torch (never 0), else the robot base.",
+            .group = "Controller",
+            .min = 0,
+            .max = 128})
       .add(&Dialect::coupled,
            {.key = "coupled",
             .label = "Coupled positioner",

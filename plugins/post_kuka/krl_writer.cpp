@@ -70,12 +70,11 @@ void printProvenance(TextWriter& out, const Program& program, const Dialect& dia
     printFrame(out, "Table with external axes at 0", cell.T_base_table);
   }
   if (program.process.wireDiameter > 0.0) {
-    printRemark(out,
-                "Wire " + wcam::formatFixed(program.process.wireDiameter, 2) + " mm at " +
-                    wcam::formatFixed(wcam::toFileUnit(wcam::QuantityKind::WireSpeed,
-                                                       program.process.wireSpeed),
-                                      3) +
-                    " m/min");
+    printRemark(out, "Wire " + wcam::formatFixed(program.process.wireDiameter, 2) + " mm at " +
+                         wcam::formatFixed(wcam::toFileUnit(wcam::QuantityKind::WireSpeed,
+                                                            program.process.wireSpeed),
+                                           3) +
+                         " m/min");
   }
   printRemark(out, "Job " + std::to_string(program.process.job));
 }

@@ -87,7 +87,8 @@ void tell(const Program& program,
   } else if (dialect.wireVariable.empty() && dialect.arc != Arc::None) {
     wcam::program::reportUnwrittenWire(
         program,
-        "name the variable that hands the wire speed to the welding source (wire_variable), or plan "
+        "name the variable that hands the wire speed to the welding source (wire_variable), or "
+        "plan "
         "with one wire speed: ramps and edits that keep it, wire_follows_speed off",
         context);
   }
@@ -128,8 +129,7 @@ public:
     state.configuration = program.cell.configuration;
     std::size_t done = 0;
     for (const wcam::program::NamedPart& part : split.parts) {
-      files.push_back(
-          {part.name + ".src", printProgram(part, program, dialect, state, context)});
+      files.push_back({part.name + ".src", printProgram(part, program, dialect, state, context)});
       context.report(static_cast<double>(++done) / static_cast<double>(split.parts.size()));
     }
     tell(program, dialect, state, context);

@@ -575,10 +575,6 @@
         <translation>Repère outil du positionneur</translation>
     </message>
     <message>
-        <source>Tool frame of the torch (UT)</source>
-        <translation>Repère outil de la torche (UT)</translation>
-    </message>
-    <message>
         <source>Tool number</source>
         <translation>Numéro d’outil</translation>
     </message>
@@ -1855,10 +1851,6 @@
         <translation>La torche penche vers l’avant ou l’arrière de l’avance.</translation>
     </message>
     <message>
-        <source>The torch leans to the side.</source>
-        <translation>La torche penche de côté.</translation>
-    </message>
-    <message>
         <source>The torch waits with the arc off, for example until a layer is cold.</source>
         <translation>La torche attend, arc éteint, par exemple qu’une couche refroidisse.</translation>
     </message>
@@ -2421,10 +2413,6 @@
         <translation>0 : champ harmonique, le plus lisse. 1 : rapport des distances aux bords inférieur et supérieur, hauteurs les plus régulières le long de la paroi.</translation>
     </message>
     <message>
-        <source>0: no limit. A longer operation is cut between beads into programs that a main program calls.</source>
-        <translation>0 : sans limite. Une opération plus longue est coupée entre les cordons en programmes qu’un programme principal appelle.</translation>
-    </message>
-    <message>
         <source>1 point</source>
         <translation>1 point</translation>
     </message>
@@ -2445,10 +2433,6 @@
         <translation>Un axe dont l’accélération n’est pas dans le fichier de cellule atteint sa vitesse maximale en ce temps, s ; 0 : aussitôt.</translation>
     </message>
     <message>
-        <source>A longer operation is cut between beads into programs that a main program calls. Line numbers above 9999 need five digits; choose a smaller number for controllers that do not read them.</source>
-        <translation>Une opération plus longue est coupée entre les cordons en programmes qu’un programme principal appelle. Les numéros de ligne au-delà de 9999 demandent cinq chiffres ; choisir un nombre plus petit pour les contrôleurs qui ne les lisent pas.</translation>
-    </message>
-    <message>
         <source>A part whose generatrices differ too much needs a wider range.</source>
         <translation>Une pièce dont les génératrices diffèrent trop demande un domaine plus large.</translation>
     </message>
@@ -2459,10 +2443,6 @@
     <message>
         <source>A point of the axis in the part frame, mm.</source>
         <translation>Un point de l’axe dans le repère pièce, mm.</translation>
-    </message>
-    <message>
-        <source>A variable of the controller that takes m/min; empty: the job decides alone.</source>
-        <translation>Une variable du contrôleur qui reçoit des m/min ; vide : le job seul décide.</translation>
     </message>
     <message>
         <source>About the build direction of the layer, from the part&apos;s x axis, seen from the centre of the bead.</source>
@@ -2483,10 +2463,6 @@
     <message>
         <source>Adds COORD to linear and circular moves, so that the speed holds on the turning part (option J601). Needs a positioner as group 2.</source>
         <translation>Ajoute COORD aux mouvements linéaires et circulaires, pour que la vitesse vaille sur la pièce qui tourne (option J601). Demande un positionneur en groupe 2.</translation>
-    </message>
-    <message>
-        <source>Adds RTCP to linear and circular moves when the robot carries the part, so that the speed holds at the torch.</source>
-        <translation>Ajoute RTCP aux mouvements linéaires et circulaires quand le robot porte la pièce, pour que la vitesse vaille à la torche.</translation>
     </message>
     <message>
         <source>Along the bead from its present start; negative lengths run backwards.</source>
@@ -2555,10 +2531,6 @@
     <message>
         <source>Cartesian positions need an arm; this robot has linear axes</source>
         <translation>les positions cartésiennes demandent un bras ; ce robot a des axes linéaires</translation>
-    </message>
-    <message>
-        <source>Cartesian: LIN with the speed of the tool. Joint values: every move is a PTP to axis values, whose speed is whole percents of the axis speeds; for dry runs and for checking the reach.</source>
-        <translation>Cartésiennes : LIN à la vitesse de l’outil. Valeurs d’axes : chaque mouvement est un PTP vers des valeurs d’axes, dont la vitesse est en pour cent entiers de celles des axes ; pour les essais à vide et le contrôle de la portée.</translation>
     </message>
     <message>
         <source>Change of a joint between neighbouring points of a bead above which a finding is given.</source>
@@ -5269,20 +5241,8 @@
         <translation>n de Arc Start[n] ; 0 : le numéro de job du procédé.</translation>
     </message>
     <message>
-        <source>n of BASE_DATA[n]; 0 writes $NULLFRAME. Positions are complete: with a coupled positioner the base must be its table frame, else the robot base.</source>
-        <translation>n de BASE_DATA[n] ; 0 écrit $NULLFRAME. Les positions sont complètes : avec un positionneur couplé la base doit être le repère de son plateau, sinon la base du robot.</translation>
-    </message>
-    <message>
         <source>n of MACHINE_DEF[n].</source>
         <translation>n de MACHINE_DEF[n].</translation>
-    </message>
-    <message>
-        <source>n of R[n], in m/min; 0: the job decides alone.</source>
-        <translation>n de R[n], en m/min ; 0 : le job seul décide.</translation>
-    </message>
-    <message>
-        <source>n of TOOL_DATA[n].</source>
-        <translation>n de TOOL_DATA[n].</translation>
     </message>
     <message>
         <source>name at least one face</source>
@@ -7983,8 +7943,12 @@
         <translation>écrire les vitesses en cm/min (speed_unit) ou avec plus de décimales (speed_decimals)</translation>
     </message>
     <message>
-        <source>written speeds differ from the planned ones by up to %1 %</source>
-        <translation>les vitesses écrites s’écartent de celles prévues jusqu’à %1 %</translation>
+        <source>the speeds of the program differ from the planned ones by up to %1 %</source>
+        <translation>les vitesses du programme s’écartent de celles prévues jusqu’à %1 %</translation>
+    </message>
+    <message>
+        <source>The torch leans to the side; positive leans outwards.</source>
+        <translation>La torche s’incline sur le côté ; une valeur positive l’incline vers l’extérieur.</translation>
     </message>
     <message>
         <source>%1 mm² (%2 %) of the surface of part %3 get no layer; the place at (%4, %5, %6) is %7 mm from the nearest bead</source>

@@ -91,11 +91,11 @@ TEST_F(Options, PostAndOperationSelect) {
 
 // The cell's controller is FANUC's.
 TEST_F(Options, PostOfAnotherMakeIsRefused) {
-  const ProcessResult result = camcli({"--project", elbow_, "--output", "a", "--operation", "guide",
-                                       "--post", "wcam.post.kuka"});
+  const ProcessResult result = camcli(
+      {"--project", elbow_, "--output", "a", "--operation", "guide", "--post", "wcam.post.kuka"});
   EXPECT_EQ(result.exitCode, 6);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("FANUC"), HasSubstr("KUKA"),
-                                HasSubstr("other_controller=true")));
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("FANUC"), HasSubstr("KUKA"), HasSubstr("other_controller=true")));
   EXPECT_FALSE(fs::exists(folder_ / "a/GUIDE.src"));
 }
 

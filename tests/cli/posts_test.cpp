@@ -27,16 +27,12 @@ protected:
   ProcessResult run(const std::vector<std::string>& settings,
                     const std::string& operation = "planar",
                     const std::string& folder = "out") {
-    std::vector<std::string> arguments = {"--project",
-                                          (exampleFolder("elbow") / "elbow.wcam").string(),
-                                          "--operation",
-                                          operation,
-                                          "--output",
-                                          folder,
-                                          "--table",
-                                          "--json",
-                                          "--set",
-                                          operation + ".motion.mode=constant"};
+    std::vector<std::string> arguments = {
+        "--project",   (exampleFolder("elbow") / "elbow.wcam").string(),
+        "--operation", operation,
+        "--output",    folder,
+        "--table",     "--json",
+        "--set",       operation + ".motion.mode=constant"};
     for (const std::string& setting : settings) {
       arguments.insert(arguments.end(), {"--set", setting});
     }
@@ -86,18 +82,13 @@ TEST_F(Posts, AViolationKeepsTheProgramBackAndNoOther) {
   ASSERT_EQ(report.at("kept_back").asArray().size(), 1U);
   EXPECT_EQ(report.at("kept_back").asArray()[0].at("output").asString(), "fanuc");
   // Another output of the same operation is written.
-  std::vector<std::string> arguments = {"--project",
-                                        (exampleFolder("elbow") / "elbow.wcam").string(),
-                                        "--operation",
-                                        "planar",
-                                        "--output",
-                                        "both",
-                                        "--post",
-                                        "fanuc",
-                                        "--post",
-                                        "example.post.csv",
-                                        "--set",
-                                        "planar.motion.mode=constant"};
+  std::vector<std::string> arguments = {
+      "--project",   (exampleFolder("elbow") / "elbow.wcam").string(),
+      "--operation", "planar",
+      "--output",    "both",
+      "--post",      "fanuc",
+      "--post",      "example.post.csv",
+      "--set",       "planar.motion.mode=constant"};
   for (const std::string& setting : ramp) {
     arguments.insert(arguments.end(), {"--set", setting});
   }
@@ -188,7 +179,8 @@ TEST_F(Posts, ANewProjectWritesForTheControllerOfItsCell) {
         std::pair("fanuc_arcmate120ic", "wcam.post.fanuc"), std::pair("debout_5axis", "")}) {
     const std::string file = std::string(cell) + ".wcam";
     ASSERT_EQ(camcli({"new", file, "--cell", cell}).exitCode, 0);
-    const auto& outputs = parseJson(readFile(folder_ / file)).at("outputs").asArray();
+    const Value project = parseJson(readFile(folder_ / file));
+    const auto& outputs = project.at("outputs").asArray();
     ASSERT_EQ(outputs.size(), std::string(post).empty() ? 0U : 1U) << cell;
     EXPECT_TRUE(outputs.empty() || outputs[0].at("post").asString() == post) << cell;
   }

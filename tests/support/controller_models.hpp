@@ -22,8 +22,8 @@ struct ControllerModel {
   };
 
   std::array<Axis, 6> axes;
-  Eigen::Vector3d toFlange;     ///< from the last axis, mm
-  Eigen::Matrix3d flange;       ///< orientation of the flange at zero
+  Eigen::Vector3d toFlange;       ///< from the last axis, mm
+  Eigen::Matrix3d flange;         ///< orientation of the flange at zero
   bool j3FromHorizontal = false;  ///< FANUC: axis 3 turns by J2 + J3
 
   /// Flange in the base, degrees.

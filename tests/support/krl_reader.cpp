@@ -427,8 +427,8 @@ void lintName(const std::string& fileName, const std::string& name, ReadJob& job
       (name[0] >= '0' && name[0] <= '9')) {
     job.problems.push_back(fileName + ": '" + name + "' is not a program name");
   }
-  static const std::set<std::string> kNoNames = {"END",  "LIN", "PTP",  "WAIT", "SIGNAL", "BAS",
-                                                 "LOOP", "DEF", "POS",  "IR_STOPM", "CON", "AUX",
+  static const std::set<std::string> kNoNames = {"END",  "LIN", "PTP",  "WAIT",     "SIGNAL", "BAS",
+                                                 "LOOP", "DEF", "POS",  "IR_STOPM", "CON",    "AUX",
                                                  "PRN",  "NUL", "COM1", "LPT1"};
   if (kNoNames.contains(name)) {
     job.problems.push_back(fileName + ": '" + name + "' means something else");

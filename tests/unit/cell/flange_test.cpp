@@ -15,8 +15,8 @@
 #include <map>
 #include <set>
 
-/// "Flange" means the controller's flange at its zero (cell-format.md), and the configurations of an
-/// arm are told by where its elbow stands.
+/// "Flange" means the controller's flange at its zero (cell-format.md), and the configurations of
+/// an arm are told by where its elbow stands.
 namespace wcam::cell {
 namespace {
 
@@ -37,16 +37,15 @@ const std::map<std::string, ZeroPose>& zeroPoses() {
   const ZeroPose kr16{"KUKA", {1768, 0, 640}, {0, 90, 0}};
   const ZeroPose kr360{"KUKA", {3250, 0, 990}, {0, 90, 0}};
   const ZeroPose yaskawa{"Yaskawa", {895, 0, 814}, {180, -90, 0}};
-  static const std::map<std::string, ZeroPose> kPoses = {
-      {"fanuc_arcmate120ic", fanuc},
-      {"fanuc_arcmate120ic_part_carried", fanuc},
-      {"kuka_kr16", kr16},
-      {"kuka_kr16_part_carried", kr16},
-      {"kuka_kr16_positioner", kr16},
-      {"kuka_kr360_part_carried", kr360},
-      {"kuka_kr360_platter", kr360},
-      {"yaskawa_ma1440_mt250", yaskawa},
-      {"yaskawa_ma1440_part_carried", yaskawa}};
+  static const std::map<std::string, ZeroPose> kPoses = {{"fanuc_arcmate120ic", fanuc},
+                                                         {"fanuc_arcmate120ic_part_carried", fanuc},
+                                                         {"kuka_kr16", kr16},
+                                                         {"kuka_kr16_part_carried", kr16},
+                                                         {"kuka_kr16_positioner", kr16},
+                                                         {"kuka_kr360_part_carried", kr360},
+                                                         {"kuka_kr360_platter", kr360},
+                                                         {"yaskawa_ma1440_mt250", yaskawa},
+                                                         {"yaskawa_ma1440_part_carried", yaskawa}};
   return kPoses;
 }
 
@@ -85,7 +84,7 @@ TEST(Flange, FollowsThePublicModelsEverywhere) {
       continue;  // the cell counts axis 2 as the article does, not as the controller
     }
     const Cell cell = test::shippedCell(name);
-    const test::ControllerModel model = test::controllerModel(name);
+    const ::wcam::test::ControllerModel model = ::wcam::test::controllerModel(name);
     for (int i = 0; i < 100; ++i) {
       const JointVector q = test::randomJoints(random, cell.jointCount());
       std::vector<double> shown;
@@ -98,8 +97,8 @@ TEST(Flange, FollowsThePublicModelsEverywhere) {
   }
 }
 
-/// Chalvin's tool is in the flange of the controller: at zero the wire leaves the flange forward and
-/// down, as a torch hangs on an arm.
+/// Chalvin's tool is in the flange of the controller: at zero the wire leaves the flange forward
+/// and down, as a torch hangs on an arm.
 TEST(Flange, TheTorchOfTheFanucHangsBelowTheFlange) {
   const Cell cell = test::fanuc();
   const Pose tcp = T_base_tcp(cell, JointVector::Zero(8));

@@ -68,8 +68,8 @@ TEST(Kuka, JointModeReturnsTheJoints) {
 // PTP moves run at ten times the speed of a bead and more.
 TEST(Kuka, JointModeNeverSwitchesTheArcOn) {
   auto program = wcam::testing::sampleProgram();
-  for (const char* params :
-       {R"({"mode": "joint"})", R"({"mode": "joint", "arc": "template", "wire_variable": "WIRE"})"}) {
+  for (const char* params : {R"({"mode": "joint"})",
+                             R"({"mode": "joint", "arc": "template", "wire_variable": "WIRE"})"}) {
     const JobContext context;
     const std::string text = runPost("wcam.post.kuka", program, params, context).at(0).second;
     EXPECT_EQ(text.find("$OUT[1]"), std::string::npos);
@@ -142,8 +142,8 @@ TEST(Kuka, FirstMoveHasStatusAndTurn) {
   first.target.configuration = "FDB";
   job = readKrl(runPost("wcam.post.kuka", program, ptp));
   EXPECT_EQ(job.moves[0].configuration, "101");
-  job = readKrl(runPost("wcam.post.kuka", program,
-                        R"({"status": "110", "ptp_positions": "cartesian"})"));
+  job = readKrl(
+      runPost("wcam.post.kuka", program, R"({"status": "110", "ptp_positions": "cartesian"})"));
   EXPECT_EQ(job.moves[0].configuration, "110");
   EXPECT_THROW(runPost("wcam.post.kuka", program, R"({"status": "12"})"), Error);
 }
@@ -240,8 +240,7 @@ TEST(Kuka, SplitsAndChainsLongOperations) {
       EXPECT_TRUE(count <= 9999U || count == planned.size()) << name;
     }
     for (const auto& [name, text] : files) {
-      EXPECT_TRUE(std::string(params) != "{}" ||
-                  std::count(text.begin(), text.end(), '\n') <= 9999)
+      EXPECT_TRUE(std::string(params) != "{}" || std::count(text.begin(), text.end(), '\n') <= 9999)
           << name;
       for (const char* own : {"BAS (#INITMOV,0 )", "$TOOL = ", "$BASE = ", "$IPO_MODE = "}) {
         EXPECT_NE(text.find(own), std::string::npos) << name;

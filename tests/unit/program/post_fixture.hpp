@@ -36,8 +36,8 @@ std::vector<PlannedMove> plannedMoves(const program::Program& program);
 /// Angle between two rotations, degrees.
 double angleBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 
-/// Compares kind, stop and (with `arcs`) arc of every move, and the positioner to `jointTolerance` (degrees).
-/// False when a comparison of positions makes no sense.
+/// Compares kind, stop and (with `arcs`) arc of every move, and the positioner to `jointTolerance`
+/// (degrees). False when a comparison of positions makes no sense.
 bool sameStructure(const ReadJob& job,
                    const std::vector<PlannedMove>& planned,
                    double jointTolerance,

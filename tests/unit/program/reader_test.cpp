@@ -11,6 +11,7 @@
 
 #include <clocale>
 
+using namespace wcam;
 using namespace wcam::test;
 
 namespace {
@@ -30,11 +31,15 @@ const std::string& lsText() {
 }
 
 const std::string& krlText() {
-  static const std::string kText =
-      runPost("wcam.post.kuka", wcam::testing::sampleProgram(),
-              R"({"ptp_positions": "cartesian"})")
-          .at(0)
-          .second;
+  static const std::string kText = [] {
+    program::Program sample = wcam::testing::sampleProgram();
+    for (program::Instruction& instruction : sample.instructions) {
+      if (auto* move = std::get_if<program::MoveJoint>(&instruction.action)) {
+        move->target.joints[0] = 0.1;  // at 0 it would be written as axis values
+      }
+    }
+    return runPost("wcam.post.kuka", sample, R"({"ptp_positions": "cartesian"})").at(0).second;
+  }();
   return kText;
 }
 

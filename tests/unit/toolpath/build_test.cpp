@@ -165,6 +165,19 @@ TEST(BuildToolpath, LeadLeansTheAxisForward) {
   }
 }
 
+TEST(BuildToolpath, LateralTiltAndNormalsStayOutwardsWhicheverWayABeadRuns) {
+  const Toolpath path = build(tubeLayers(), R"({"alternate": true, "lateral_tilt": 15.0})");
+  for (std::size_t l = 0; l < path.layers.size(); ++l) {
+    const Bead& bead = path.layers[l].beads[0];
+    EXPECT_EQ(bead.back, l % 2 == 1) << l;
+    for (const PathPoint& point : bead.points) {
+      const Vec3 out = Vec3(point.p.x(), point.p.y(), 0).normalized();
+      EXPECT_GT(bead.outward(point).dot(out), 0.999) << l;
+      EXPECT_NEAR(point.axis.dot(bead.outward(point)), std::sin(degToRad(15.0)), 1e-6) << l;
+    }
+  }
+}
+
 TEST(BuildToolpath, BeadsInTheAirAndBesideThePlateAreReported) {
   geometry::TriangleMesh hanging = test::tubeMesh(8.0, 10.0, 60, 10);
   for (Vec3& v : hanging.vertices) {

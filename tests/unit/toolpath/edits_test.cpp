@@ -474,6 +474,18 @@ TEST(Reverse, LeadStaysRelativeToTheTravel) {
   }
 }
 
+TEST(Reverse, LateralTiltStaysOutwards) {
+  const Toolpath path = stack(1, R"({"lateral_tilt": 10})");
+  const Toolpath once = edited(path, "reverse", "{}", R"({"lateral_tilt": 10})");
+  for (const Toolpath* of : {&path, &once}) {
+    const Bead& bead = of->layers[0].beads[0];
+    for (const PathPoint& point : bead.points) {
+      EXPECT_NEAR(point.axis.dot(bead.outward(point)), std::sin(degToRad(10.0)), 1e-9);
+    }
+  }
+  EXPECT_NE(path.layers[0].beads[0].back, once.layers[0].beads[0].back);
+}
+
 TEST(Reverse, ABeadThatClimbsStays) {
   const SlicedLayers sliced{{layerOf(2.0, {test::helix(kRadius, 2.0, 3.0, 72)})}};
   const Toolpath path = buildToolpath(sliced, *test::plate(), {}, JobContext());

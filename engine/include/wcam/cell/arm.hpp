@@ -11,9 +11,9 @@
 namespace wcam::cell {
 
 /// One of the 8 ways in which a 6R arm reaches a pose. Named like FANUC's configuration: wrist N
-/// (no flip: bent downwards at zero J4, z of axis 6 below the forearm) or F, elbow U (above the
-/// line from shoulder to wrist) or D, shoulder T (wrist centre before axis 1) or B. Each of the
-/// three changes only by crossing a singularity.
+/// (no flip: bent downwards at zero J4) or F, elbow U (above the line from shoulder to wrist, seen
+/// with the wrist before the shoulder) or D, shoulder T (wrist centre before axis 1) or B. Up is z
+/// of the base, however axis 1 points. Each changes only by crossing a singularity.
 struct Branch {
   bool flipped = false;
   bool elbowDown = false;
@@ -40,7 +40,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// A 6R arm with a spherical wrist reduced to a canonical form, whatever its DH convention: axis 1
-/// is z, axes 2 and 3 are y, the wrist's axes z, y, z. With canonical angles c the wrist frame in
+/// (up) is z, 2 and 3 are y, the wrist's axes z, y, z. With canonical angles c the wrist frame in
 /// the canonical base is
 ///   Rz(c1)·Trans(a1, b, 0)·Ry(c2)·Trans(0, 0, a2)·Ry(c3)·Trans(−d4, 0, r4)·Rz(c4)·Ry(c5)·Rz(c6)
 /// (Chalvin A23 and A25 corrected, with a lateral offset b), and c = gain·q + offset for the

@@ -33,7 +33,9 @@ bool isReserved(std::string_view name, const NameRules& rules);
 /// Names of a main program and its numbered parts, all different: the main name, then
 /// <name>_1, <name>_2, … with numbers of equal width. A reserved name gets P_ in front.
 /// @throws Error(InvalidArgument) when the longest name leaves no room for the numbers
-std::vector<std::string> partNames(std::string_view text, std::size_t parts, const NameRules& rules);
+std::vector<std::string> partNames(std::string_view text,
+                                   std::size_t parts,
+                                   const NameRules& rules);
 
 /// ASCII text for comments: other characters become '?', control characters blanks.
 std::string asciiComment(std::string_view text);

@@ -129,7 +129,7 @@ struct CellFacts {
   /// Greatest speed of each joint, rad/s or mm/s; empty when not known. Needed by languages that
   /// give the speed of a joint move per axis.
   std::vector<double> jointSpeeds = {};
-  Pose T_flange_tcp = Pose::Identity();  ///< torch carried: the tool frame of the controller
+  Pose T_flange_tcp = Pose::Identity();    ///< torch carried: the tool frame of the controller
   Pose T_flange_table = Pose::Identity();  ///< part carried: the same, with the part
   Pose T_base_tcp = Pose::Identity();      ///< part carried: the fixed torch
   Pose T_base_root = Pose::Identity();     ///< frame that the positioner's first joint starts from

@@ -42,10 +42,10 @@ struct ProgramParts {
   std::size_t cutsWithArcOn = 0;     ///< the arc burns over the border
 };
 
-/// Cuts a program into parts within the limits. A part begins with a joint move to a safe point: the
-/// one of the way between two beads, else one more to where the part before ended, with the torch
-/// lifted off. A bead that is longer than a part is interrupted at one of Program::lifts; where there
-/// is none it is cut with the arc on. Wire speeds are set anew in each part.
+/// Cuts a program into parts within the limits. A part begins with a joint move to a safe point:
+/// the one of the way between two beads, else one more to where the part before ended, with the
+/// torch lifted off. A bead that is longer than a part is interrupted at one of Program::lifts;
+/// where there is none it is cut with the arc on. Wire speeds are set anew in each part.
 /// @throws Error(InvalidArgument) when one instruction alone needs more than a part
 ProgramParts splitProgram(const Program& program, const SplitLimits& limits);
 
@@ -67,7 +67,9 @@ struct NamedPart {
     }
   }
 
-  [[nodiscard]] std::size_t size() const noexcept { return lead.size() + body.size() + tail.size(); }
+  [[nodiscard]] std::size_t size() const noexcept {
+    return lead.size() + body.size() + tail.size();
+  }
 };
 
 /// A program cut into programs of the controller.

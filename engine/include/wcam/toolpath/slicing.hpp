@@ -63,6 +63,9 @@ struct Contour {
   /// Of a bead that climbs over several revolutions (a spiral): index of the first point of each
   /// revolution, ascending from 0. Empty for a bead of one layer.
   std::vector<std::size_t> turns;
+  /// The points run against the direction in which t × n is the build direction, n being outward: a
+  /// path that was reversed elsewhere.
+  bool back = false;
 };
 
 struct SlicedLayer {

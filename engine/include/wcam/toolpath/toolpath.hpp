@@ -29,7 +29,8 @@ struct ProcessChange {
 };
 
 /// A point of a bead, in the part frame. (t, n, b) is right-handed: t along travel, n the outward
-/// surface normal made perpendicular to t, b = t × n the build direction.
+/// surface normal made perpendicular to t (the inward one on a bead that runs back), b = t × n the
+/// build direction.
 struct PathPoint {
   Vec3 p = Vec3::Zero();  ///< mm
   Vec3 t = Vec3::UnitX();
@@ -60,12 +61,19 @@ struct PathPoint {
 struct Bead {
   std::vector<PathPoint> points;
   bool closed = false;
+  /// Runs against the direction in which n is outward: the outward normal is then −n.
+  bool back = false;
   int part = 0;  ///< index of the part in the operation
   BeadFeature feature = BeadFeature::Wall;
   int revolutions = 0;       ///< of a bead that climbs (Contour::turns); 0 for a bead of one layer
   double pauseBefore = 0.0;  ///< s that the torch waits above the start, arc off, before the bead
   double pauseAfter = 0.0;   ///< s that it waits above the end afterwards
   [[nodiscard]] double length() const;
+
+  /// The outward surface normal at a point of the bead.
+  [[nodiscard]] Vec3 outward(const PathPoint& point) const {
+    return back ? Vec3(-point.n) : point.n;
+  }
 };
 
 struct Layer {
