@@ -4,6 +4,7 @@
 #include "parallels.hpp"
 
 #include "wcam/base/quantity.hpp"
+#include "wcam/geometry/level_set.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,11 @@ ParallelCutter::ParallelCutter(const geometry::PartSurface& part,
                                const Axis& axis,
                                const Substrate& substrate,
                                double roundness)
-    : part_(part), axis_(axis), substrate_(substrate), roundness_(roundness) {
+    : part_(part),
+      axis_(axis),
+      substrate_(substrate),
+      roundness_(roundness),
+      tolerance_(geometry::flatTolerance(part.mesh)) {
   for (std::uint32_t h = 0; h < 3 * part.mesh.triangles.size(); ++h) {
     if (part.halfEdges.twin(h) == geometry::HalfEdges::kNone) {
       borders_.push_back(h);
@@ -82,19 +87,30 @@ Vec3 ParallelCutter::onBorder(std::uint32_t halfEdge, double w) const {
 
 void ParallelCutter::addBorderCrossings(const Parallel& parallel,
                                         std::vector<double>& angles) const {
+  const auto along = [&](std::uint32_t h, double w) {
+    return offsetOf(axis_, parallel, onBorder(h, w)).along;
+  };
   for (const std::uint32_t h : borders_) {
-    const bool below = offsetOf(axis_, parallel, onBorder(h, 0.0)).along < 0.0;
-    if (below == (offsetOf(axis_, parallel, onBorder(h, 1.0)).along < 0.0)) {
+    const double start = along(h, 0.0);
+    const double end = along(h, 1.0);
+    // Borders that are parallels themselves are not crossed by a parallel on them; what leads away
+    // from them is crossed at its end.
+    const bool crossed =
+        (start < -tolerance_) != (end < -tolerance_) || (start < tolerance_) != (end < tolerance_);
+    if (!crossed) {
       continue;
     }
-    double low = 0.0;
-    double high = 1.0;
-    for (int i = 0; i < kBisections; ++i) {
-      const double middle = 0.5 * (low + high);
-      const bool same = (offsetOf(axis_, parallel, onBorder(h, middle)).along < 0.0) == below;
-      (same ? low : high) = middle;
+    double at = std::abs(start) < std::abs(end) ? 0.0 : 1.0;
+    if ((start < 0.0) != (end < 0.0)) {
+      double low = 0.0;
+      double high = 1.0;
+      for (int i = 0; i < kBisections; ++i) {
+        const double middle = 0.5 * (low + high);
+        ((along(h, middle) < 0.0) == (start < 0.0) ? low : high) = middle;
+      }
+      at = high;
     }
-    const Vec3 p = onBorder(h, high);
+    const Vec3 p = onBorder(h, at);
     if (std::abs(offsetOf(axis_, parallel, p).across) <= roundness_) {
       angles.push_back(angleOf(parallel, p));
     }

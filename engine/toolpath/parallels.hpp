@@ -58,6 +58,7 @@ private:
   Axis axis_;
   const Substrate& substrate_;
   double roundness_;
+  double tolerance_;  ///< of a border that is a parallel, mm
   std::optional<geometry::BrepEvaluator> evaluator_;
   std::optional<geometry::AabbTree> tree_;
   std::vector<std::uint32_t> borders_;

@@ -214,7 +214,12 @@ std::vector<Vec3> meridianDirections(const PartSurface& part, const Axis& axis) 
 }
 
 /// Refuses a part whose vertices do not lie on its profiles turned about the axis.
-void requireRevolution(const PartSurface& part, const Axis& axis, const Meridian& meridian) {
+/// @param inside looks at the middles of the triangles too: a half plane through the corners of a
+/// prism meets all its vertices
+void requireRevolution(const PartSurface& part,
+                       const Axis& axis,
+                       const Meridian& meridian,
+                       bool inside) {
   std::vector<std::array<geometry::Vec2, 2>> segments;
   for (const Profile& profile : meridian.profiles()) {
     constexpr int kParts = 8;
@@ -236,13 +241,21 @@ void requireRevolution(const PartSurface& part, const Axis& axis, const Meridian
   }
   tree.build();
   const double allowed = roundnessOf(part);
-  for (const Vec3& v : part.mesh.vertices) {
+  std::vector<Vec3> places = part.mesh.vertices;
+  for (std::size_t t = 0; inside && t < part.mesh.triangles.size(); ++t) {
+    const auto& c = part.mesh.triangles[t];
+    places.push_back(
+        (part.mesh.vertices[c[0]] + part.mesh.vertices[c[1]] + part.mesh.vertices[c[2]]) / 3.0);
+  }
+  const double facets = kMeshRoundness * std::max(1.0, part.mesh.bounds().diagonal());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec3& v = places[i];
     const geometry::Vec2 m = meridianPlace(axis, v);
     if (m[1] < lowest - allowed || m[1] <= lowest + allowed) {
       continue;  // below the substrate, or its flat bottom
     }
     const double d = tree.distance(Vec3(m[0], 0.0, m[1]));
-    if (d > allowed) {
+    if (d > (i < part.mesh.vertices.size() ? allowed : facets)) {
       throw Error(
           ErrorCode::JobFailed,
           text("the part is no body of revolution: the point (%1, %2, %3) is %4 mm off the profile",
@@ -608,14 +621,16 @@ std::unique_ptr<Meridian> meridianOf(const PartSurface& part,
                                      const Substrate& substrate,
                                      const JobContext& context) {
   std::optional<Error> refused;
+  bool first = true;
   for (const Vec3& radial : meridianDirections(part, axis)) {
+    const bool inside = !std::exchange(first, false);
     context.check();
     auto meridian = std::make_unique<Meridian>(part, axis, radial, substrate, context);
     if (meridian->profiles().empty()) {
       continue;
     }
     try {
-      requireRevolution(part, axis, *meridian);
+      requireRevolution(part, axis, *meridian, inside);
       return meridian;
     } catch (const Error& error) {
       refused = refused ? refused : error;
