@@ -95,7 +95,7 @@ TEST_F(BadPartFile, PipesAndDevicesAreRefusedAtOnce) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   ProcessRequest request;
   request.timeout = std::chrono::seconds(20);
-  for (const std::string file :
+  for (const std::string& file :
        {pipe.string(), std::string("/dev/zero"), folder_.path().string()}) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"info", file}, {"check", file}, {"--project", file}}) {
