@@ -56,6 +56,9 @@ struct BeadSpeeds {
 /// Beads of a path without a process are as wide as its default, mm.
 constexpr double kUnknownWidth = 8.0;
 
+/// A bead shorter than it is wide is all start and end: it may take this many times as long.
+constexpr double kDot = 3.0;
+
 /// The stretch of a bead on which the torch loses most time.
 struct Crawl {
   std::size_t waypoint = 0;  ///< the slowest of the stretch
@@ -91,7 +94,8 @@ Crawl worstCrawl(const std::vector<Waypoint>& points,
     const double own = wanted[end] - wanted[begin];
     const double taken = time[end] - time[begin];
     const double pool = std::max(own, width / points[bead[end - 1]].speed);
-    const double excess = taken - own - pool * (1.0 / minRatio - 1.0);
+    const bool dot = length[end] - length[begin] < width;
+    const double excess = taken - own - (dot ? kDot : 1.0) * pool * (1.0 / minRatio - 1.0);
     if (excess > worst.excess) {
       worst = {bead[end - 1], length[end] - length[begin], taken, own, excess};
       for (std::size_t k = begin; k < end; ++k) {

@@ -194,8 +194,8 @@ TEST(TableDriven, tulip) {
 TEST(TableDriven, abruptChangeOfDirectionDipsAndNeverPeaks) {
   const cell::Cell cell = shippedCell("yaskawa_ma1440_mt250");
   MotionParams params;
-  params.accelerationTime = 0.3;
-  params.cornerRadius = Length(0.2);
+  params.accelerationTime = 5.0;
+  params.cornerRadius = Length(0.05);
   JobContext context;
   const PlannedMotion planned = planMotion(polyline({{-40, 30, 2}, {0, 0, 2}, {40, 30, 2}}, 1.0),
                                            cell, params, "op", context);
