@@ -42,15 +42,13 @@ Document elbowAt(double x, double y, double z) {
       document,
       {{"part.set", Value::object({{"id", "elbow"},
                                    {"placement", Value::object({{"position_mm", position}})}})},
-       {"substrate.set",
-        Value::object({{"id", "plate"}, {"position_mm", position}})}});
+       {"substrate.set", Value::object({{"id", "plate"}, {"position_mm", position}})}});
 }
 
 TEST(Remedies, WhatIsOfferedDoesWhatItSays) {
   std::size_t offered = 0;
   std::size_t complete = 0;
-  for (const Document& document :
-       {elbowAt(0, 0, 0), elbowAt(700, 0, 0), elbowAt(1000, 0, 0)}) {
+  for (const Document& document : {elbowAt(0, 0, 0), elbowAt(700, 0, 0), elbowAt(1000, 0, 0)}) {
     const OperationResult result = compute(document, "planar");
     ASSERT_EQ(result.remedies.size(), result.findings.size());
     std::vector<Command> followed;
