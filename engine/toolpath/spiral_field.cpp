@@ -136,18 +136,19 @@ void judgeHeights(const SpiralHeights& heights, const SpiralWish& wish, const Jo
     reportSpiralHeights(heights, context);
     return;
   }
-  context.add({Severity::Warning,
-               "slicing.spiral_infeasible",
-               text("%1 points of the spiral need a deposit outside of %2 to %3 mm; the worst is %4 "
-                    "mm",
-                    {std::to_string(heights.outside), formatFixed(heights.low, 3),
-                     formatFixed(heights.high, 3), formatFixed(heights.worst, 3)}),
-               {},
-               {{}, 0, 0, -1},
-               {{"points", static_cast<double>(heights.outside)},
-                {"deposit_mm", heights.worst},
-                {"height_min_mm", std::min(heights.least, wish.heightMin)},
-                {"height_max_mm", std::max(heights.greatest, wish.heightMax)}}});
+  context.add(
+      {Severity::Warning,
+       "slicing.spiral_infeasible",
+       text("%1 points of the spiral need a deposit outside of %2 to %3 mm; the worst is %4 "
+            "mm",
+            {std::to_string(heights.outside), formatFixed(heights.low, 3),
+             formatFixed(heights.high, 3), formatFixed(heights.worst, 3)}),
+       {},
+       {{}, 0, 0, -1},
+       {{"points", static_cast<double>(heights.outside)},
+        {"deposit_mm", heights.worst},
+        {"height_min_mm", std::min(heights.least, wish.heightMin)},
+        {"height_max_mm", std::max(heights.greatest, wish.heightMax)}}});
 }
 
 void reportFieldSpiral(const SpiralPlan& plan,

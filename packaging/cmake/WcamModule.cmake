@@ -5,7 +5,7 @@
 # headers. The build of the fuzz targets does without it and so shows an include that is missing.
 option(WCAM_PRECOMPILE "Compile the headers that everything includes once" ON)
 if(WCAM_PRECOMPILE)
-  add_library(wcam_engine_precompiled OBJECT EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/engine/precompiled.cpp")
+  add_library(wcam_engine_precompiled OBJECT EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/packaging/cmake/precompiled.cpp")
   target_link_libraries(wcam_engine_precompiled PUBLIC Eigen3::Eigen PRIVATE wcam_options)
   target_precompile_headers(wcam_engine_precompiled PRIVATE
     <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <map> <memory>

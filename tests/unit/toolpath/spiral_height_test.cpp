@@ -113,9 +113,9 @@ TEST(SpiralHeight, TheFieldRefusesWhatItCannotKeepAndItsRemedyDoes) {
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::JobFailed);
-    ASSERT_EQ(std::sscanf(error.hint().c_str(), "set the modulation range to %lf to %lf mm", &low,
-                          &high),
-              2)
+    ASSERT_EQ(
+        std::sscanf(error.hint().c_str(), "set the modulation range to %lf to %lf mm", &low, &high),
+        2)
         << error.hint();
   }
   EXPECT_LT(low, 1.8);
