@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace wcam::process {
 
@@ -72,17 +73,17 @@ const Schema<ProcessParams>& ProcessParams::schema() {
                                               .max = 10.0})
           .add(&ProcessParams::wireSpeed, {.key = "wire_speed",
                                            .label = "Wire feed speed",
-                                           .help = "Constant, except where edits, ramps or beads "
-                                                   "side by side need another one.",
+                                           .help = "Constant over the whole operation.",
                                            .group = "Wire",
                                            .min = 0.05,
                                            .max = 60.0})
           .add(&ProcessParams::wireSpeedMin,
                {.key = "wire_speed_min",
                 .label = "Minimum wire feed speed",
-                .help = "Beads side by side need less material than single ones. Where the maximum "
-                        "travel speed still deposits too much, the wire feed is lowered down to "
-                        "this value. Set it to the wire feed speed to keep the feed constant.",
+                .help = "Beads side by side need less material than single ones. Where even the "
+                        "maximum travel speed deposits too much, the wire feed of the whole "
+                        "operation is lowered, but not below this value. Set it to the wire feed "
+                        "speed to keep the feed as it is.",
                 .group = "Wire",
                 .level = ParamLevel::Advanced,
                 .min = 0.0,
@@ -205,16 +206,8 @@ struct Wanted {
   double wire = 0.0;
 };
 
-/// Beads that fill a layer keep their section at the maximum travel speed with less wire.
 Wanted plannedAt(const toolpath::PathPoint& point, const ProcessParams& params) {
-  const double section = std::max(beadSection(point), kVanishing);
-  Wanted planned{feedRate(params) / section, params.wireSpeed.value()};
-  if (point.fillWidth > 0.0 && planned.speed > params.speedMax.value()) {
-    const double least = std::min(params.wireSpeedMin.value(), planned.wire);
-    planned.wire = std::max(least, section * params.speedMax.value() / wireArea(params));
-    planned.speed = wireArea(params) * planned.wire / section;
-  }
-  return planned;
+  return {feedRate(params) / std::max(beadSection(point), kVanishing), params.wireSpeed.value()};
 }
 
 Wanted wantedAt(const toolpath::PathPoint& point, const ProcessParams& params) {
@@ -300,65 +293,88 @@ struct Starved {
 
 namespace {
 
-/// Points of a layer whose wire feed is lowered.
-struct Lowered {
-  std::size_t count = 0;
-  double lowest = 0.0;
-  int bead = -1;
-  int point = -1;
+constexpr double kMetrePerMinute = 1000.0 / 60.0;  // in mm/s
 
-  void add(const toolpath::PathPoint& at,
-           const Wanted& wanted,
-           const ProcessParams& params,
-           std::size_t beadIndex,
-           std::size_t pointIndex) {
-    // By less than this part, rounding did it.
-    constexpr double kRounding = 1e-9;
-    if (at.change.section != toolpath::SectionRule::Plan || !(at.fillWidth > 0.0) ||
-        wanted.wire >= (1.0 - kRounding) * params.wireSpeed.value()) {
-      return;
-    }
-    ++count;
-    if (bead < 0 || wanted.wire < lowest) {
-      lowest = wanted.wire;
-      bead = static_cast<int>(beadIndex);
-      point = static_cast<int>(pointIndex);
-    }
-  }
-
-  void report(int layer, const ProcessParams& params, const JobContext& context) const {
-    if (count == 0) {
-      return;
-    }
-    constexpr double kMmPerSecond = 1000.0 / 60.0;  // in a metre per minute
-    context.add(
-        {Severity::Information,
-         "process.wire_lowered",
-         text("%1 points beside other beads need less material than the wire feed of %2 m/min "
-              "deposits at the maximum travel speed; their wire feed is lowered, to %3 m/min or "
-              "more",
-              {std::to_string(count), formatFixed(params.wireSpeed.value() / kMmPerSecond, 2),
-               formatFixed(lowest / kMmPerSecond, 2)}),
-         text("for a constant wire feed set wire_speed to %1 m/min or less",
-              {formatFixed(std::floor(100.0 * lowest / kMmPerSecond) / 100.0, 2)}),
-         {{}, layer, bead, point},
-         {{"points", static_cast<double>(count)}, {"lowest_m_min", lowest / kMmPerSecond}}});
-  }
+/// A move that the plan alone decides, beside other beads.
+struct FilledMove {
+  double section = 0.0;  ///< mm²
+  double length = 0.0;   ///< mm
 };
+
+void reportLowered(double lowered, const ProcessParams& params, const JobContext& context) {
+  const std::string shown = formatFixed(lowered / kMetrePerMinute, 2);
+  context.add(
+      {Severity::Warning,
+       "process.wire_lowered",
+       text("beads side by side need less material than single ones: at the maximum travel speed "
+            "of %1 mm/s the wire feed of %2 m/min would deposit too much, and %3 m/min is used",
+            {formatFixed(params.speedMax.value(), 2),
+             formatFixed(params.wireSpeed.value() / kMetrePerMinute, 2), shown}),
+       text("set wire_speed to %1 m/min, with the job of the welding source for it", {shown}),
+       {},
+       {{"wire_m_min", lowered / kMetrePerMinute}}});
+}
 
 }  // namespace
 
+double operationWireSpeed(const toolpath::Toolpath& path, const ProcessParams& params) {
+  std::vector<FilledMove> moves;
+  double wanted = 0.0;
+  for (const toolpath::Layer& layer : path.layers) {
+    for (const toolpath::Bead& bead : layer.beads) {
+      for (std::size_t i = 1; i < bead.points.size(); ++i) {
+        const toolpath::PathPoint& point = bead.points[i];
+        if (!point.arc) {
+          continue;
+        }
+        const FilledMove move{beadSection(point), (point.p - bead.points[i - 1].p).norm()};
+        wanted += move.section * move.length;
+        if (point.fillWidth > 0.0 && point.change.section == toolpath::SectionRule::Plan) {
+          moves.push_back(move);
+        }
+      }
+    }
+  }
+  /// Material too much at the maximum travel speed, mm³.
+  const auto excess = [&](double wire) {
+    const double least = wireArea(params) * wire / params.speedMax.value();
+    double sum = 0.0;
+    for (const FilledMove& move : moves) {
+      sum += std::max(0.0, least - move.section) * move.length;
+    }
+    return sum;
+  };
+  constexpr double kBearable = 0.01;  // of the material
+  double high = params.wireSpeed.value();
+  if (moves.empty() || excess(high) <= kBearable * wanted) {
+    return high;
+  }
+  double low = std::min(params.wireSpeedMin.value(), high);
+  constexpr int kBisections = 60;  // down to rounding
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (excess(middle) <= kBearable * wanted ? low : high) = middle;
+  }
+  // What is shown is what is used.
+  constexpr double kShown = 0.01 * kMetrePerMinute;
+  return std::max(std::min(params.wireSpeedMin.value(), low), std::floor(low / kShown) * kShown);
+}
+
 toolpath::Toolpath applyProcess(toolpath::Toolpath path,
-                                const ProcessParams& params,
+                                const ProcessParams& wanted,
                                 const JobContext& context) {
-  checkWindows(params);
-  shareTouchingBeads(path, params.beadWidth.value(), context);
+  checkWindows(wanted);
+  shareTouchingBeads(path, wanted.beadWidth.value(), context);
+  ProcessParams params = wanted;
+  params.wireSpeed = WireSpeed(operationWireSpeed(path, wanted));
+  if (params.wireSpeed.value() < wanted.wireSpeed.value()) {
+    reportLowered(params.wireSpeed.value(), wanted, context);
+  }
   for (std::size_t l = 0; l < path.layers.size(); ++l) {
     context.check();
     Outside speeds;
     Outside heights;
     Starved starved;
-    Lowered lowered;
     double worstLimit = params.heightMax.value();
     auto& beads = path.layers[l].beads;
     for (std::size_t b = 0; b < beads.size(); ++b) {
@@ -375,7 +391,6 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
           continue;
         }
         starved.add(point, wanted, params, b, i);
-        lowered.add(point, wanted, params, b, i);
         followWidth(point, wanted, params);
         speeds.add(wanted.speed, params.speedMin.value(), params.speedMax.value(), b, i);
         // A bead is never higher than wide: its discs would no longer touch.
@@ -387,7 +402,6 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
     }
     const auto layer = static_cast<int>(l);
     starved.report(layer, context);
-    lowered.report(layer, params, context);
     if (heights.count > 0) {
       context.add(
           {Severity::Warning,
@@ -415,8 +429,10 @@ toolpath::Toolpath applyProcess(toolpath::Toolpath path,
   return path;
 }
 
-ProcessStatistics processStatistics(const toolpath::Toolpath& path, const ProcessParams& params) {
+ProcessStatistics processStatistics(const toolpath::Toolpath& path, const ProcessParams& wanted) {
   ProcessStatistics s;
+  ProcessParams params = wanted;
+  params.wireSpeed = WireSpeed(operationWireSpeed(path, wanted));
   for (const toolpath::Layer& layer : path.layers) {
     for (const toolpath::Bead& bead : layer.beads) {
       for (std::size_t i = 0; i < bead.points.size(); ++i) {
@@ -424,11 +440,11 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
         if (!point.arc) {
           continue;
         }
-        const double wanted = plannedAt(point, params).speed;
+        const double speed = plannedAt(point, params).speed;
         const bool planned = point.change.section == toolpath::SectionRule::Plan;
         s.clampedPoints +=
-            planned && (wanted < params.speedMin.value() || wanted > params.speedMax.value()) ? 1U
-                                                                                              : 0U;
+            planned && (speed < params.speedMin.value() || speed > params.speedMax.value()) ? 1U
+                                                                                            : 0U;
         if (i > 0) {
           const double length = (point.p - bead.points[i - 1].p).norm();
           s.length += length;

@@ -29,7 +29,7 @@ constexpr int kSubstrateVersion = 1;
 constexpr int kSliceVersion = 4;
 constexpr int kPathVersion = 3;
 constexpr int kEditsVersion = 3;
-constexpr int kProcessVersion = 2;
+constexpr int kProcessVersion = 3;
 constexpr int kCellVersion = 3;
 constexpr int kMotionVersion = 5;
 constexpr int kProgramVersion = 2;
@@ -676,7 +676,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
         arc.craterTime = result.process.craterTime.value();
         arc.jointSpeedRatio = motionParams.jointSpeedRatio;
         arc.wireDiameter = result.process.wireDiameter.value();
-        arc.wireSpeed = result.process.wireSpeed.value();
+        arc.wireSpeed = process::operationWireSpeed(*result.path, result.process);
         arc.liftHeight =
             std::max(motionParams.approachHeight.value(), motionParams.safeHeight.value());
         arc.liftSpeed = motionParams.travelSpeed.value();

@@ -214,17 +214,22 @@ TEST(TouchingBeads, LessWireAtTheMaximumSpeedKeepsTheSection) {
   ProcessParams params;
   params.beadWidth = 6.0_mm;
   params.speedMax = 10.0_mm_s;
-  const auto beads = straightBeads({0.0, 3.0, 6.0}, 2.0);
+  const auto beads = straightBeads({0.0, 3.0, 6.0, 9.0, 12.0}, 2.0);
   toolpath::Toolpath path = applyProcess(beads, params, context);
-  const toolpath::PathPoint& middle = path.layers[0].beads[1].points[10];
-  EXPECT_NEAR(middle.speed, 10.0, 1e-12);
-  EXPECT_NEAR(wireSection(path.layers[0].beads[1], params), 3.0 * 2.0, 1e-3);
-  EXPECT_LT(middle.wireSpeed, params.wireSpeed.value());
+  const double wire = path.layers[0].beads[0].points[10].wireSpeed;
+  EXPECT_LT(wire, params.wireSpeed.value());
+  for (std::size_t b = 0; b < 5; ++b) {
+    const toolpath::PathPoint& point = path.layers[0].beads[b].points[10];
+    EXPECT_LE(point.speed, 10.0);
+    EXPECT_EQ(point.wireSpeed, wire);
+  }
+  // At most a percent too much, of all.
+  EXPECT_NEAR(wireSection(path.layers[0].beads[2], params), 3.0 * 2.0, 0.03 * 6.0);
+  const ProcessStatistics s = processStatistics(path, params);
+  EXPECT_NEAR(s.wireVolume / s.wantedVolume, 1.0, 0.0101);
+  EXPECT_EQ(operationWireSpeed(path, params), wire);
   EXPECT_EQ(context.diagnostics().count("process.wire_lowered"), 1U);
-  EXPECT_EQ(context.diagnostics().count("process.speed_clamped"), 0U);
-  EXPECT_NEAR(processStatistics(path, params).wireVolume,
-              processStatistics(path, params).wantedVolume, 1e-6);
-  // A constant feed deposits too much, and says so.
+  // A feed that must not change deposits too much, and says so.
   params.wireSpeedMin = params.wireSpeed;
   JobContext constant;
   path = applyProcess(beads, params, constant);

@@ -44,6 +44,13 @@ double travelSpeed(double height, double width, const ProcessParams& params) noe
 /// Height that a travel speed deposits, the inverse of travelSpeed, mm; limited to the bead width.
 double depositedHeight(double speed, const ProcessParams& params) noexcept;
 
+/// Wire feed of the whole operation, mm/s: the process's, or less where beads side by side would
+/// get too much at the maximum travel speed: the highest feed that deposits at most 1 % too much,
+/// in hundredths of a m/min, not below wireSpeedMin. One feed, since it usually belongs to the job
+/// of the welding source.
+/// @param path with the widths that its beads fill
+double operationWireSpeed(const toolpath::Toolpath& path, const ProcessParams& params);
+
 struct ProcessStatistics {
   double length = 0.0;        ///< of the beads, mm
   double time = 0.0;          ///< with the arc on, s
@@ -63,8 +70,7 @@ ProcessStatistics processStatistics(const toolpath::Toolpath& path, const Proces
 ///
 /// Beads that lie nearer together than their width share what is between them: their sections are
 /// those that they have to fill (PathPoint::fillWidth; strategies that fill areas set it, all
-/// others get it here, see shareTouchingBeads). Where such a section needs a higher travel speed
-/// than the maximum, the wire feed is lowered instead, down to wireSpeedMin.
+/// others get it here, see shareTouchingBeads). The wire feed is that of operationWireSpeed.
 ///
 /// Where edits change a move (PathPoint::change) the section of the bead stays consistent: either
 /// the other of speed and wire follows so that the section of the local height is deposited, or the
