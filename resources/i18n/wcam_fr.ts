@@ -2147,20 +2147,12 @@
         <translation>%1 points ne reçoivent que %2 % ou plus du fil que demande le cordon le plus étroit de leur hauteur</translation>
     </message>
     <message>
-        <source>%1 points have a deposit height outside of %2 to %3 mm: %4 to %5 mm</source>
-        <translation>%1 points ont une hauteur de dépôt hors de %2 à %3 mm : %4 à %5 mm</translation>
-    </message>
-    <message>
         <source>%1 points have a layer height outside the process window, worst %2 mm</source>
         <translation>%1 points ont une hauteur de couche hors de la fenêtre du procédé, au pire %2 mm</translation>
     </message>
     <message>
         <source>%1 points lie where planes normal to the guide cross each other</source>
         <translation>%1 points sont là où des plans normaux au guide se croisent</translation>
-    </message>
-    <message>
-        <source>%1 points of the first layer lie beside the plate, up to %2 mm</source>
-        <translation>%1 points de la première couche sont à côté de la plaque, de jusqu’à %2 mm</translation>
     </message>
     <message>
         <source>%1 points of the layer do not have the step to the layer below, the worst has %2 mm</source>
@@ -2521,10 +2513,6 @@
         <translation>De combien les lignes tournent d’une couche à l’autre.</translation>
     </message>
     <message>
-        <source>Cartesian positions are not defined for a part that the robot carries</source>
-        <translation>les positions cartésiennes ne sont pas définies pour une pièce portée par le robot</translation>
-    </message>
-    <message>
         <source>Cartesian positions need a robot with 6 joints, this one has %1</source>
         <translation>les positions cartésiennes demandent un robot à 6 axes, celui-ci en a %1</translation>
     </message>
@@ -2567,10 +2555,6 @@
     <message>
         <source>Controllers keep 4 decimals of a degree.</source>
         <translation>Les contrôleurs gardent 4 décimales d’un degré.</translation>
-    </message>
-    <message>
-        <source>Counted from 0; negative numbers count from the top, whose layer is -1.</source>
-        <translation>Comptées à partir de 0 ; les nombres négatifs comptent depuis le haut, dont la couche est -1.</translation>
     </message>
     <message>
         <source>Depends on the generation of the controller.</source>
@@ -2779,10 +2763,6 @@
     <message>
         <source>In the substrate&apos;s frame; any length.</source>
         <translation>Dans le repère du substrat ; longueur quelconque.</translation>
-    </message>
-    <message>
-        <source>Index in each layer, from 0; -1 is all beads.</source>
-        <translation>Indice dans chaque couche, à partir de 0 ; -1 : tous les cordons.</translation>
     </message>
     <message>
         <source>Inside the window of the process.</source>
@@ -3397,10 +3377,6 @@
         <translation>un programme KUKA a des axes de robot rotatifs, ce robot des axes linéaires</translation>
     </message>
     <message>
-        <source>a bead is longer than one program: the arc burns while the next one is called</source>
-        <translation>un cordon est plus long qu’un programme : l’arc brûle pendant que le suivant est appelé</translation>
-    </message>
-    <message>
         <source>a bead lies %1 mm or more above everything below it</source>
         <translation>un cordon est à %1 mm ou plus au-dessus de tout ce qui est sous lui</translation>
     </message>
@@ -3487,10 +3463,6 @@
     <message>
         <source>a list</source>
         <translation>une liste</translation>
-    </message>
-    <message>
-        <source>a move needs %1 positions, a program may have %2</source>
-        <translation>un mouvement demande %1 positions, un programme peut en avoir %2</translation>
     </message>
     <message>
         <source>a non-manifold edge or vertex at %1, %2, %3</source>
@@ -3629,10 +3601,6 @@
         <translation>un triangle sans aire en %1, %2, %3</translation>
     </message>
     <message>
-        <source>a vertex has a coordinate that is not a finite number</source>
-        <translation>un sommet a une coordonnée qui n’est pas un nombre fini</translation>
-    </message>
-    <message>
         <source>a wall stands on one: close the others, or slice the part with the strategy for branches</source>
         <translation>une paroi repose sur un seul : fermer les autres, ou trancher la pièce avec la stratégie pour branches</translation>
     </message>
@@ -3687,14 +3655,6 @@
     <message>
         <source>allow longer names or more points per program</source>
         <translation>permettre des noms plus longs ou plus de points par programme</translation>
-    </message>
-    <message>
-        <source>allow more points per program</source>
-        <translation>permettre plus de points par programme</translation>
-    </message>
-    <message>
-        <source>allow more points per program or sample the bead less densely</source>
-        <translation>permettre plus de points par programme ou échantillonner le cordon moins finement</translation>
     </message>
     <message>
         <source>allow narrower beads (min_width, fill_narrow) or thicken the part</source>
@@ -3979,10 +3939,6 @@
     <message>
         <source>check the step and the part&apos;s borders</source>
         <translation>vérifier le pas et les bords de la pièce</translation>
-    </message>
-    <message>
-        <source>check these faces in the CAD system</source>
-        <translation>vérifier ces faces dans le système CAO</translation>
     </message>
     <message>
         <source>choose a border or points of the part</source>
@@ -4741,10 +4697,6 @@
         <translation>a une clé inconnue « %1 »</translation>
     </message>
     <message>
-        <source>has coordinates that are too large</source>
-        <translation>a des coordonnées trop grandes</translation>
-    </message>
-    <message>
         <source>has limits and is endless; keep one</source>
         <translation>a des butées et est sans fin ; garder l’un des deux</translation>
     </message>
@@ -4795,10 +4747,6 @@
     <message>
         <source>install the plugin; `camcli plugins list` shows what there is</source>
         <translation>installer l’extension ; « camcli plugins list » montre ce qu’il y a</translation>
-    </message>
-    <message>
-        <source>is a folder or a device, not a file</source>
-        <translation>est un dossier ou un périphérique, pas un fichier</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
@@ -4855,10 +4803,6 @@
     <message>
         <source>is not a parameter here; did you mean &apos;%1&apos;?</source>
         <translation>n’est pas un paramètre ici ; vouliez-vous dire « %1 » ?</translation>
-    </message>
-    <message>
-        <source>is not a readable ZIP package</source>
-        <translation>n’est pas une archive ZIP lisible</translation>
     </message>
     <message>
         <source>is not an object</source>
@@ -5183,10 +5127,6 @@
     <message>
         <source>move to the start point first</source>
         <translation>aller d’abord au point de départ</translation>
-    </message>
-    <message>
-        <source>moves to axis values run at whole percents of the axis speeds</source>
-        <translation>les mouvements vers des valeurs d’axes se font en pour cent entiers des vitesses d’axes</translation>
     </message>
     <message>
         <source>must be &quot;wcam-project&quot;; this file is no WCAM project</source>
@@ -5535,10 +5475,6 @@
     <message>
         <source>part &apos;%1&apos; cannot be unpacked</source>
         <translation>la partie « %1 » ne peut être décompressée</translation>
-    </message>
-    <message>
-        <source>part &apos;%1&apos; is damaged</source>
-        <translation>la partie « %1 » est endommagée</translation>
     </message>
     <message>
         <source>part &apos;%1&apos; refers to object &apos;%2&apos; in a circle</source>
@@ -5917,10 +5853,6 @@
         <translation>vitesse</translation>
     </message>
     <message>
-        <source>speeds are rounded by more than 1 %</source>
-        <translation>des vitesses sont arrondies de plus de 1 %</translation>
-    </message>
-    <message>
         <source>spiral</source>
         <translation>spirale</translation>
     </message>
@@ -6071,10 +6003,6 @@
     <message>
         <source>the bead width of %1 mm is outside its range of %2 to %3 mm</source>
         <translation>la largeur de cordon de %1 mm est hors de son domaine de %2 à %3 mm</translation>
-    </message>
-    <message>
-        <source>the beads need %1 % of the room they have and pile up</source>
-        <translation>les cordons demandent %1 % de la place qu’ils ont et s’entassent</translation>
     </message>
     <message>
         <source>the borders of the wall must lie apart: check the working surface</source>
@@ -6523,10 +6451,6 @@
     <message>
         <source>the output &apos;%1&apos; for &apos;%2&apos;</source>
         <translation>la sortie « %1 » pour « %2 »</translation>
-    </message>
-    <message>
-        <source>the package has more triangles than can be handled</source>
-        <translation>l’archive a plus de triangles qu’il n’en peut être traité</translation>
     </message>
     <message>
         <source>the package has no part &apos;%1&apos;</source>
@@ -7660,39 +7584,39 @@
     </message>
     <message>
         <source>%1; tried on the whole operation, it does not help by itself</source>
-        <translation>%1 ; essayé sur toute l’opération, cela ne suffit pas seul</translation>
+        <translation>%1&#xa0;; essayé sur toute l’opération, cela ne suffit pas seul</translation>
     </message>
     <message>
         <source>%1; tried on the whole operation: %2 of %3 violations are left</source>
-        <translation>%1 ; essayé sur toute l’opération : il reste %2 des %3 non-conformités</translation>
+        <translation>%1&#xa0;; essayé sur toute l’opération&#xa0;: il reste %2 des %3 non-conformités</translation>
     </message>
     <message>
         <source>%1; tried on the whole operation: no violation is left</source>
-        <translation>%1 ; essayé sur toute l’opération : il ne reste aucune non-conformité</translation>
+        <translation>%1&#xa0;; essayé sur toute l’opération&#xa0;: il ne reste aucune non-conformité</translation>
     </message>
     <message>
         <source>Counted from 0 in files, from 1 in the window; negative numbers count from the top, whose layer is -1.</source>
-        <translation>Compté à partir de 0 dans les fichiers, de 1 dans la fenêtre ; les nombres négatifs comptent depuis le haut, dont la couche est -1.</translation>
+        <translation>Compté à partir de 0 dans les fichiers, de 1 dans la fenêtre&#xa0;; les nombres négatifs comptent depuis le haut, dont la couche est -1.</translation>
     </message>
     <message>
         <source>Counted in each layer, from 0 in files, from 1 in the window; -1 is all beads.</source>
-        <translation>Compté dans chaque couche, à partir de 0 dans les fichiers, de 1 dans la fenêtre ; -1 désigne tous les cordons.</translation>
+        <translation>Compté dans chaque couche, à partir de 0 dans les fichiers, de 1 dans la fenêtre&#xa0;; -1 désigne tous les cordons.</translation>
     </message>
     <message>
         <source>a hint: %1, which serves %2 of %3 points tried of this bead</source>
-        <translation>une piste : %1, ce qui convient à %2 des %3 points essayés de ce cordon</translation>
+        <translation>une piste&#xa0;: %1, ce qui convient à %2 des %3 points essayés de ce cordon</translation>
     </message>
     <message>
         <source>a hint: %1, which serves %2 of %3 points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
-        <translation>une piste : %1, ce qui convient à %2 des %3 points essayés de ce cordon (portée, butées et singularités ; sans les collisions)</translation>
+        <translation>une piste&#xa0;: %1, ce qui convient à %2 des %3 points essayés de ce cordon (portée, butées et singularités&#xa0;; sans les collisions)</translation>
     </message>
     <message>
         <source>a hint: %1, which serves all points tried of this bead</source>
-        <translation>une piste : %1, ce qui convient à tous les points essayés de ce cordon</translation>
+        <translation>une piste&#xa0;: %1, ce qui convient à tous les points essayés de ce cordon</translation>
     </message>
     <message>
         <source>a hint: %1, which serves all points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
-        <translation>une piste : %1, ce qui convient à tous les points essayés de ce cordon (portée, butées et singularités ; sans les collisions)</translation>
+        <translation>une piste&#xa0;: %1, ce qui convient à tous les points essayés de ce cordon (portée, butées et singularités&#xa0;; sans les collisions)</translation>
     </message>
     <message>
         <source>a process whose heights go from %1 would do</source>
@@ -7704,11 +7628,11 @@
     </message>
     <message>
         <source>no range about this deposit does on this part: another decomposition or another mean deposit may help</source>
-        <translation>aucune plage autour de cette hauteur déposée ne convient à cette pièce : une autre décomposition ou une autre hauteur déposée moyenne peut aider</translation>
+        <translation>aucune plage autour de cette hauteur déposée ne convient à cette pièce&#xa0;: une autre décomposition ou une autre hauteur déposée moyenne peut aider</translation>
     </message>
     <message>
         <source>no range about this deposit does: build the piece in layers</source>
-        <translation>aucune plage autour de cette hauteur déposée ne convient : construire ce tronçon par couches</translation>
+        <translation>aucune plage autour de cette hauteur déposée ne convient&#xa0;: construire ce tronçon par couches</translation>
     </message>
     <message>
         <source>set exit_rotations, which tilts the torch out of collisions</source>
@@ -7716,7 +7640,7 @@
     </message>
     <message>
         <source>set the modulation range to %1; this was tried</source>
-        <translation>régler la plage de modulation sur %1 ; cela a été essayé</translation>
+        <translation>régler la plage de modulation sur %1&#xa0;; cela a été essayé</translation>
     </message>
     <message>
         <source>set the rotation about the torch to %1 deg</source>
@@ -7724,39 +7648,11 @@
     </message>
     <message>
         <source>take the cell &quot;%1&quot;</source>
-        <translation>prendre la cellule « %1 »</translation>
+        <translation>prendre la cellule «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>use the configuration %1 and a rotation of %2 deg about the torch</source>
         <translation>utiliser la configuration %1 et une rotation de %2 deg autour de la torche</translation>
-    </message>
-    <message>
-        <source>%1: that serves %2 of %3 points tried of this bead</source>
-        <translation>%1 : cela suffit pour %2 des %3 points essayés de ce cordon</translation>
-    </message>
-    <message>
-        <source>%1: that serves %2 of %3 points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
-        <translation>%1 : cela suffit pour %2 des %3 points essayés de ce cordon (portée, butées et singularités ; collisions non examinées)</translation>
-    </message>
-    <message>
-        <source>%1: that serves all points tried of this bead</source>
-        <translation>%1 : cela suffit pour tous les points essayés de ce cordon</translation>
-    </message>
-    <message>
-        <source>%1: that serves all points tried of this bead (reach, limits and singularities; collisions not looked at)</source>
-        <translation>%1 : cela suffit pour tous les points essayés de ce cordon (portée, butées et singularités ; collisions non examinées)</translation>
-    </message>
-    <message>
-        <source>a range of %1 would do</source>
-        <translation>un domaine de %1 conviendrait</translation>
-    </message>
-    <message>
-        <source>widen the modulation range, or choose another decomposition</source>
-        <translation>élargir le domaine de modulation, ou choisir une autre décomposition</translation>
-    </message>
-    <message>
-        <source>±%1 %, that is %2 to %3 mm</source>
-        <translation>±%1 %, soit %2 à %3 mm</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a word of the language or of the file system: the program is named %2</source>
@@ -8646,6 +8542,110 @@
         <source>the model part of a 3MF package without its package</source>
         <translation>le modèle d&apos;un paquet 3MF sans son paquet</translation>
     </message>
+    <message>
+        <source>%1 point has a deposit height outside of its range; the worst is %2 mm where %3 to %4 mm are wanted</source>
+        <translation>%1 point a une hauteur de dépôt hors de sa plage ; la pire est de %2 mm pour une plage de %3 à %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 point that should lie on the plate lies beside it, by %2 mm</source>
+        <translation>%1 point qui devrait reposer sur la plaque se trouve à côté, de %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 points have a deposit height outside of their range; the worst is %2 mm where %3 to %4 mm are wanted</source>
+        <translation>%1 points ont une hauteur de dépôt hors de leur plage ; la pire est de %2 mm pour une plage de %3 à %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 points of the spiral need a deposit outside of %2 to %3 mm; the worst is %4 mm</source>
+        <translation>%1 points de la spirale demandent un dépôt hors de la plage de %2 à %3 mm ; le pire est de %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 points that should lie on the plate lie beside it, by up to %2 mm</source>
+        <translation>%1 points qui devraient reposer sur la plaque se trouvent à côté, jusqu’à %2 mm</translation>
+    </message>
+    <message>
+        <source>Beads side by side need less material than single ones. Where even the maximum travel speed deposits too much, the wire feed of the whole operation is lowered, but not below this value. Set it to the wire feed speed to keep the feed as it is.</source>
+        <translation>Des cordons côte à côte demandent moins de matière que des cordons isolés. Si même la vitesse d’avance maximale en dépose trop, la vitesse de fil de toute l’opération est réduite, sans descendre sous cette valeur. Donnez-lui la vitesse de fil pour ne rien changer.</translation>
+    </message>
+    <message>
+        <source>How far the tool axis may lean from the toolpath&apos;s. The mode planar_vertical leans it until it is vertical; more than this is a violation.</source>
+        <translation>Inclinaison maximale de l’axe de l’outil par rapport à celui de la trajectoire. Le mode planar_vertical l’incline jusqu’à la verticale ; au-delà de cette valeur, c’est une non-conformité.</translation>
+    </message>
+    <message>
+        <source>J4 + J6 where the cable is not twisted; counts with a cable_limit of its own.</source>
+        <translation>J4 + J6 quand le câble n’est pas vrillé ; s’applique avec un cable_limit propre.</translation>
+    </message>
+    <message>
+        <source>Maximum distance between the path and the curve it follows. 0 follows from part and bead: 0.01 mm on CAD surfaces; on a mesh as much as the mesh itself deviates from its shape, but no more than 2 % of the bead&apos;s width.</source>
+        <translation>Écart maximal entre la trajectoire et la courbe qu’elle suit. 0 : déduit de la pièce et du cordon, soit 0,01 mm sur des surfaces CAO ; sur un maillage, autant que le maillage s’écarte de sa forme, sans dépasser 2 % de la largeur du cordon.</translation>
+    </message>
+    <message>
+        <source>Minimum speed</source>
+        <translation>Vitesse minimale</translation>
+    </message>
+    <message>
+        <source>Minimum wire feed speed</source>
+        <translation>Vitesse de fil minimale</translation>
+    </message>
+    <message>
+        <source>Of |J4 + J6|, from the untwisted cable&apos;s value; 0 takes the limit and the zero of the cell file, if it has them. 120 deg is usual for torch cables (Chalvin A33); a large value lifts the limit.</source>
+        <translation>Pour |J4 + J6|, à partir de la valeur du câble non vrillé ; 0 prend la limite et le zéro du fichier de cellule, s’il les donne. 120° est courant pour les faisceaux de torche (Chalvin A33) ; une grande valeur lève la limite.</translation>
+    </message>
+    <message>
+        <source>Part of the wanted speed below which the torch must not fall with the arc on, as a mean over a bead&apos;s width: what passes within that, as the slow-down at ends and corners, melts into one pool. Below is a violation.</source>
+        <translation>Part de la vitesse voulue sous laquelle la torche ne doit pas descendre arc allumé, en moyenne sur une largeur de cordon : les ralentissements plus courts, aux extrémités et aux angles, se fondent dans le même bain. En dessous, c’est une non-conformité.</translation>
+    </message>
+    <message>
+        <source>Robots leave the line between far points; 4.9 mm keeps them on it. 0 takes these 4.9 mm, or the bead&apos;s width if it is narrower.</source>
+        <translation>Entre des points éloignés, les robots s’écartent de la ligne ; 4,9 mm les y maintient. 0 prend ces 4,9 mm, ou la largeur du cordon si elle est plus petite.</translation>
+    </message>
+    <message>
+        <source>beads side by side need less material than single ones: at the maximum travel speed of %1 mm/s the wire feed of %2 m/min would deposit too much, and %3 m/min is used</source>
+        <translation>des cordons côte à côte demandent moins de matière que des cordons isolés : à la vitesse d’avance maximale de %1 mm/s, une vitesse de fil de %2 m/min en déposerait trop ; %3 m/min est employé</translation>
+    </message>
+    <message>
+        <source>belongs to a torch that the robot carries</source>
+        <translation>ne s’applique qu’à une torche portée par le robot</translation>
+    </message>
+    <message>
+        <source>move part and substrate onto the table, or describe what carries them in the cell file (positioner, collision, frame table)</source>
+        <translation>placez la pièce et le substrat sur la table, ou décrivez ce qui les porte dans le fichier de cellule (positioner, collision, repère table)</translation>
+    </message>
+    <message>
+        <source>put the bead on the centre of the contour, or change the height of the part&apos;s upper edge by as much</source>
+        <translation>centrez le cordon sur le contour, ou modifiez d’autant la hauteur du bord supérieur de la pièce</translation>
+    </message>
+    <message>
+        <source>set wire_speed to %1 m/min, with the job of the welding source for it</source>
+        <translation>réglez wire_speed à %1 m/min, avec le programme correspondant de la source de soudage</translation>
+    </message>
+    <message>
+        <source>the beads hold %1 % of the volume of the layer and pile up</source>
+        <translation>les cordons contiennent %1 % du volume de la couche et s’accumulent</translation>
+    </message>
+    <message>
+        <source>the last layer lies up to %1 mm higher than the part: the wall leans, and its beads lie beside it</source>
+        <translation>la dernière couche dépasse la pièce de %1 mm au plus : la paroi est inclinée et ses cordons sont à côté</translation>
+    </message>
+    <message>
+        <source>the last layer lies up to %1 mm lower than the part: the wall leans, and its beads lie beside it</source>
+        <translation>la dernière couche reste jusqu’à %1 mm sous le sommet de la pièce : la paroi est inclinée et ses cordons sont à côté</translation>
+    </message>
+    <message>
+        <source>the substrate lies beside the table that carries it, by %1 mm</source>
+        <translation>le substrat se trouve à %1 mm à côté de la table qui le porte</translation>
+    </message>
+    <message>
+        <source>the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted speed, and %5 mm/s at the slowest point</source>
+        <translation>la torche met %1 s pour %2 mm arc allumé, soit %3 mm/s ou %4 % de la vitesse voulue, et %5 mm/s au point le plus lent</translation>
+    </message>
+    <message>
+        <source>the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted speed, and %5 mm/s at the slowest point; nearest to its limit is joint %6</source>
+        <translation>la torche met %1 s pour %2 mm arc allumé, soit %3 mm/s ou %4 % de la vitesse voulue, et %5 mm/s au point le plus lent ; l’axe le plus proche de sa limite est %6</translation>
+    </message>
+    <message>
+        <source>use the mode optimized, smooth the path (axis_rate bounds the turn of its build direction), raise vertical_tolerance or lower the travel speed; lower min_speed_ratio only where the process bears it</source>
+        <translation>utilisez le mode optimized, lissez la trajectoire (axis_rate borne la rotation de sa direction de construction), augmentez vertical_tolerance ou réduisez la vitesse d’avance ; ne baissez min_speed_ratio que si le procédé le permet</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -8836,7 +8836,7 @@
     </message>
     <message>
         <source>A hint: it was not proven on the whole operation.</source>
-        <translation>Une piste : elle n’a pas été vérifiée sur toute l’opération.</translation>
+        <translation>Une piste&#xa0;: elle n’a pas été vérifiée sur toute l’opération.</translation>
     </message>
     <message>
         <source>This was tried on the whole operation.</source>
@@ -10061,19 +10061,7 @@
     </message>
     <message>
         <source>Remedy: %1</source>
-        <translation>Remède : %1</translation>
-    </message>
-    <message>
-        <source>Take the robot cell from a file</source>
-        <translation>Prendre la cellule robot dans un fichier</translation>
-    </message>
-    <message>
-        <source>Choose a cell</source>
-        <translation>Choisir une cellule</translation>
-    </message>
-    <message>
-        <source>Cells (*.json)</source>
-        <translation>Cellules (*.json)</translation>
+        <translation>Remède&#xa0;: %1</translation>
     </message>
 </context>
 <context>
