@@ -170,7 +170,8 @@ double besideDistance(const Layer& layer, std::size_t bead) {
   return nearest;
 }
 
-/// A bead in the air cannot be deposited: a violation, unless it is welded to a bead beside it.
+/// A bead in the air cannot be deposited: a violation, unless it is welded to a bead beside it or
+/// below it to one side.
 void reportUnsupported(const Layer& layer,
                        int layerIndex,
                        double nominalHeight,
@@ -182,7 +183,9 @@ void reportUnsupported(const Layer& layer,
       nearest = std::min(nearest, point.distance);
     }
     if (nearest > kUnsupported * nominalHeight) {
-      const bool beside = b > 0 && besideDistance(layer, b) <= width;
+      // A bead no farther aside than its width still touches the one below.
+      const bool touches = nearest <= std::hypot(width, kUnsupported * nominalHeight);
+      const bool beside = touches || (b > 0 && besideDistance(layer, b) <= width);
       context.add(
           {beside ? Severity::Warning : Severity::Violation,
            "toolpath.unsupported",
@@ -222,14 +225,18 @@ public:
         half_(0.5 * substrate.size()),
         width_(width) {}
 
-  void add(const Layer& layer, int layerIndex, const std::vector<Support>& supports) {
+  /// @param nominalHeight of the layer, mm: what hangs higher above the plate is unsupported
+  void add(const Layer& layer,
+           int layerIndex,
+           const std::vector<Support>& supports,
+           double nominalHeight) {
     if (!substrate_.isPlate()) {
       return;
     }
     std::size_t i = 0;
     for (const Bead& bead : layer.beads) {
       for (const PathPoint& point : bead.points) {
-        if (!supports[i++].substrate) {
+        if (!supports[i++].substrate || point.distance > kUnsupported * nominalHeight) {
           continue;
         }
         const Vec3 p = T_substrate_part_ * point.p;
@@ -297,7 +304,7 @@ Toolpath buildToolpath(const SlicedLayers& contours,
     const std::vector<Support> supports =
         setDistances(layer, ordered, source, contoursBelow(sliced, l),
                      sliced.onSubstrate ? &substrate : nullptr);
-    outside.add(layer, static_cast<int>(l), supports);
+    outside.add(layer, static_cast<int>(l), supports, source.nominalHeight);
     reportUnsupported(layer, static_cast<int>(l), source.nominalHeight, range.width, context);
     for (Bead& bead : layer.beads) {
       addZones(bead, params.zones());

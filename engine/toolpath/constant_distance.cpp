@@ -36,9 +36,6 @@ constexpr double kSnap = 1e-12;
 constexpr double kPointContour = 1e-3;
 /// More layers than this are a wrong step.
 constexpr std::size_t kMostLayers = 1000000;
-/// The last layer lies on the part's end when it misses it by less than this part of a step: chords
-/// on a bent wall add up to a little less than the length of the wall.
-constexpr double kBorder = 0.01;
 /// Longest edge of the mesh that carries the fronts, in steps: then the distance behind a front
 /// never reaches the step on an edge that leads ahead of it.
 constexpr double kLongestEdge = 0.9;
@@ -327,9 +324,8 @@ private:
     const geometry::TriangleMesh mesh = bandMesh(scalar, step);
     const HalfEdges halfEdges(mesh);
     const std::vector<double> levels{step};
-    const auto contours =
-        geometry::traceLevels(mesh, halfEdges, scalar, levels,
-                              {kSnap * size_, geometry::flatTolerance(part_.mesh), kBorder * step});
+    const auto contours = geometry::traceLevels(
+        mesh, halfEdges, scalar, levels, {kSnap * size_, geometry::flatTolerance(part_.mesh)});
     for (const geometry::LevelContour& contour : contours[0]) {
       FrontCurve curve(patch_, below, step, size_);
       curve.ring = contour.closed;

@@ -439,11 +439,14 @@ std::vector<LevelCurve> LevelCurve::keepAbove(const Substrate& substrate, double
     const bool startBelow = nodeBelow[i];
     const bool endBelow = i + 1 < n ? nodeBelow[i + 1] : (closed_ ? nodeBelow[0] : lastBelow);
     if (startBelow != endBelow) {
+      // The cut lies on the substrate, or on the end that counts as on it.
+      const double kept = substrate.heightAbove(startBelow ? segment.b.p : segment.a.p);
+      const double floor = std::min(0.0, kept);
       double low = 0.0;
       double high = 1.0;
       for (int step = 0; step < 60; ++step) {
         const double middle = 0.5 * (low + high);
-        (below(at(i, middle).p) == startBelow ? low : high) = middle;
+        ((substrate.heightAbove(at(i, middle).p) < floor) == startBelow ? low : high) = middle;
       }
       const double w = startBelow ? high : low;
       const ContourPoint cut = at(i, w);

@@ -147,6 +147,10 @@ bool ParallelCutter::onPart(const Parallel& parallel, double from, double to) co
   if (!hit || hit->distance > roundness_ + kFacet * parallel.radius) {
     return false;
   }
+  // Facets lie across the profile; what is nearest along it is the border of a hole.
+  if (std::abs(offsetOf(axis_, parallel, hit->p).along) > roundness_ + tolerance_) {
+    return false;
+  }
   // Beyond a border the nearest point of the part lies aside, on the border.
   const Vec3 travel = axis_.direction.cross(Vec3(p - parallel.centre)).normalized();
   constexpr double kAside = 0.5;

@@ -29,6 +29,9 @@ namespace {
 /// a body of revolution: exact parts by the sampling of the profile, meshes by their facets.
 constexpr double kExactRoundness = 2e-4;
 constexpr double kMeshRoundness = 5e-3;
+/// A border that misses the last layer by less than this part of a step is that layer: profiles of
+/// facets are a little shorter than their surface.
+constexpr double kBorder = 0.01;
 /// Mean sine between normals and the axis' half planes, above which no axis fits.
 constexpr double kAxisFit = 0.05;
 /// On the axis, in parts of the part's size.
@@ -180,7 +183,6 @@ std::vector<Vec3> meridianDirections(const PartSurface& part, const Axis& axis) 
   std::vector<Vec3> directions{Eigen::AngleAxisd(kTurn, axis.direction) *
                                axis.direction.unitOrthogonal()};
   Vec3 sum = Vec3::Zero();
-  std::vector<std::pair<double, Vec3>> spokes;
   double area = 0.0;
   for (const auto& c : part.mesh.triangles) {
     const Vec3& a = part.mesh.vertices[c[0]];
@@ -189,26 +191,15 @@ std::vector<Vec3> meridianDirections(const PartSurface& part, const Axis& axis) 
     Vec3 spoke = a + (b + d) / 3.0 - axis.point;
     spoke -= spoke.dot(axis.direction) * axis.direction;
     if (spoke.norm() > 0.0) {
-      spokes.emplace_back(0.5 * b.cross(d).norm(), spoke.normalized());
-      sum += spokes.back().first * spokes.back().second;
-      area += spokes.back().first;
+      const double share = 0.5 * b.cross(d).norm();
+      sum += share * spoke.normalized();
+      area += share;
     }
   }
   // Around a whole body the spokes cancel.
   constexpr double kCancelled = 0.05;
   if (sum.norm() > kCancelled * area) {
     directions.push_back(sum.normalized());
-  }
-  // Some of the surface itself, in the order of its triangles: where holes leave no other way.
-  constexpr double kOthers = 6.0;
-  double passed = 0.0;
-  double next = area / (2.0 * kOthers);
-  for (const auto& [share, spoke] : spokes) {
-    passed += share;
-    if (passed >= next) {
-      directions.push_back(spoke);
-      next += area / kOthers;
-    }
   }
   return directions;
 }
@@ -660,13 +651,14 @@ SlicedLayers sliceRevolution(const std::vector<std::shared_ptr<const PartSurface
     const std::unique_ptr<Meridian> meridian = meridianOf(*parts[k], axis, substrate, context);
     const ParallelCutter cutter(*parts[k], axis, substrate, roundnessOf(*parts[k]));
     for (const Profile& profile : meridian->profiles()) {
-      const ProfileTask task{profile,
-                             substrate,
-                             axis,
-                             meridian->radial(),
-                             options,
-                             std::max(options.leastRadius, sampling.chordError),
-                             geometry::flatTolerance(parts[k]->mesh)};
+      const ProfileTask task{
+          profile,
+          substrate,
+          axis,
+          meridian->radial(),
+          options,
+          std::max(options.leastRadius, sampling.chordError),
+          std::max(geometry::flatTolerance(parts[k]->mesh), kBorder * wish.step)};
       const bool border = task.endsInBorder();
       const double step = border && wish.last == LastLayer::Fit ? fittedStep(task) : wish.step;
       sliceProfile(task, step, cutter, static_cast<int>(k), sampling, sliced.layers);

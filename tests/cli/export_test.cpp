@@ -254,8 +254,10 @@ TEST_F(Export, ReportTellsTheDistanceOfTheGuideLayers) {
   const Value tree = report();
   const Value& guide = tree.at("operations").asArray()[1];
   EXPECT_EQ(guide.at("id").asString(), "guide");
-  EXPECT_NEAR(guide.at("layer_distance_mm").at("min").asReal(), 3.5, 0.005);
-  EXPECT_NEAR(guide.at("layer_distance_mm").at("max").asReal(), 6.5, 0.005);
+  // The step of 5 mm is fitted to the quarter circle of 50 mm.
+  constexpr double kStep = 25.0 * 3.14159265358979 / 16.0;
+  EXPECT_NEAR(guide.at("layer_distance_mm").at("min").asReal(), 0.7 * kStep, 0.005);
+  EXPECT_NEAR(guide.at("layer_distance_mm").at("max").asReal(), 1.3 * kStep, 0.005);
 }
 
 class Examples : public CamcliTest, public ::testing::WithParamInterface<const char*> {};

@@ -37,12 +37,12 @@ protected:
 using Layers = std::map<std::string, int>;
 
 TEST_F(Options, SetChangesAllOperationsOrOne) {
-  EXPECT_EQ(layersWith({}), (Layers{{"planar", 12}, {"guide", 15}}));
-  EXPECT_EQ(layersWith({"--set", "step=10mm"}), (Layers{{"planar", 6}, {"guide", 7}}));
-  EXPECT_EQ(layersWith({"--set", "planar.step=1cm"}), (Layers{{"planar", 6}, {"guide", 15}}));
-  EXPECT_EQ(layersWith({"--set", "planar.params.step=10"}), (Layers{{"planar", 6}, {"guide", 15}}));
+  EXPECT_EQ(layersWith({}), (Layers{{"planar", 12}, {"guide", 16}}));
+  EXPECT_EQ(layersWith({"--set", "step=10mm"}), (Layers{{"planar", 6}, {"guide", 8}}));
+  EXPECT_EQ(layersWith({"--set", "planar.step=1cm"}), (Layers{{"planar", 6}, {"guide", 16}}));
+  EXPECT_EQ(layersWith({"--set", "planar.params.step=10"}), (Layers{{"planar", 6}, {"guide", 16}}));
   EXPECT_EQ(layersWith({"--set", "step=10mm", "--set", "guide.step=5mm"}),
-            (Layers{{"planar", 6}, {"guide", 15}}));
+            (Layers{{"planar", 6}, {"guide", 16}}));
   EXPECT_EQ(layersWith({"--set", "guide.enabled=false"}), (Layers{{"planar", 12}}));
 }
 

@@ -149,12 +149,11 @@ TEST_P(Controllers, TheWireMeetsThePath) {
   EXPECT_GT(met, 100U);
 }
 
+class KukaControllers : public Controllers {};
+
 /// S and T of the Cartesian program are those of the joints: bit 1 of S by axis 3, bit 2 by axis 5,
 /// bits of T by the signs.
-TEST_P(Controllers, StatusAndTurnAreThoseOfTheJoints) {
-  if (!kuka()) {
-    GTEST_SKIP() << "of KUKA";
-  }
+TEST_P(KukaControllers, StatusAndTurnAreThoseOfTheJoints) {
   const test::ReadJob joint = read(R"({"mode": "joint"})");
   const test::ReadJob cartesian = read(R"({"mode": "cartesian", "ptp_positions": "cartesian"})");
   ASSERT_EQ(joint.moves.size(), cartesian.moves.size());
@@ -200,6 +199,15 @@ INSTANTIATE_TEST_SUITE_P(
                       Controller{"fanuc_arcmate120ic_part_carried", "wcam.post.fanuc",
                                  "wcam.post.kuka"},
                       Controller{"kuka_kr16", "wcam.post.kuka", "wcam.post.fanuc"},
+                      Controller{"kuka_kr16_part_carried", "wcam.post.kuka", "wcam.post.fanuc"},
+                      Controller{"kuka_kr16_positioner", "wcam.post.kuka", "wcam.post.fanuc"},
+                      Controller{"kuka_kr360_platter", "wcam.post.kuka", "wcam.post.fanuc"},
+                      Controller{"kuka_kr360_part_carried", "wcam.post.kuka", "wcam.post.fanuc"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    ShippedCells,
+    KukaControllers,
+    ::testing::Values(Controller{"kuka_kr16", "wcam.post.kuka", "wcam.post.fanuc"},
                       Controller{"kuka_kr16_part_carried", "wcam.post.kuka", "wcam.post.fanuc"},
                       Controller{"kuka_kr16_positioner", "wcam.post.kuka", "wcam.post.fanuc"},
                       Controller{"kuka_kr360_platter", "wcam.post.kuka", "wcam.post.fanuc"},

@@ -244,10 +244,12 @@ TEST(Report, HasEveryFigureOfAnOperation) {
   const OperationResult result =
       compute(test::exampleDocument("elbow"), std::make_shared<StageCache>());
   const Value report = operationReport(result);
-  EXPECT_EQ(report.at("layers").asInteger(), 15);
-  EXPECT_EQ(report.at("arc_starts").asInteger(), 15);
-  EXPECT_NEAR(report.at("layer_distance_mm").at("min").asReal(), 3.5, 0.005);
-  EXPECT_NEAR(report.at("layer_distance_mm").at("max").asReal(), 6.5, 0.005);
+  // A quarter circle of 50 mm in steps of 5 mm: 16 of 4.909 mm end on its end.
+  EXPECT_EQ(report.at("layers").asInteger(), 16);
+  EXPECT_EQ(report.at("arc_starts").asInteger(), 16);
+  const double step = 25.0 * kPi / 16.0;
+  EXPECT_NEAR(report.at("layer_distance_mm").at("min").asReal(), 0.7 * step, 0.005);
+  EXPECT_NEAR(report.at("layer_distance_mm").at("max").asReal(), 1.3 * step, 0.005);
   EXPECT_NEAR(report.at("deposited_volume_mm3").asReal() / report.at("wanted_volume_mm3").asReal(),
               1.0, 1e-9);
   EXPECT_EQ(report.at("joints").size(), 8U);

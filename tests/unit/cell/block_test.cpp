@@ -7,6 +7,7 @@
 #include "cells.hpp"
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <memory>
 
@@ -85,12 +86,17 @@ TEST(InverseBlock, emptyBlockIsHarmless) {
   const Cell cell = test::fanuc();
   auto poses = std::make_unique<PoseBlock>();
   auto result = std::make_unique<JointBlock>();
-  // Nothing is asked: nothing may be written, whatever the poses hold.
+  // Nothing is asked: whatever the poses hold (here NaN), no lane computes with it.
   std::memset(static_cast<void*>(poses.get()), 0xFF, sizeof(PoseBlock));
-  std::memset(static_cast<void*>(result.get()), 0x5A, sizeof(JointBlock));
-  const auto before = std::make_unique<JointBlock>(*result);
+  std::memset(static_cast<void*>(result.get()), 0xFF, sizeof(JointBlock));
   inverseBlock(*cell.arm, *poses, 0, *result);
-  EXPECT_EQ(std::memcmp(result.get(), before.get(), sizeof(JointBlock)), 0);
+  for (const auto& branch : result->joints) {
+    for (const auto& joint : branch) {
+      for (const double value : joint) {
+        ASSERT_EQ(std::fpclassify(value) == FP_NAN, false);
+      }
+    }
+  }
 }
 
 }  // namespace

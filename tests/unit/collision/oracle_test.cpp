@@ -50,7 +50,10 @@ TEST_P(Oracle, nothingIsMissedAndExactAnswersAgree) {
       EXPECT_EQ(hit, found < 0.0) << "seed " << seed << " state " << i << ": " << what << ", "
                                   << found << " mm";
     }
-    EXPECT_LE(bound[i], distance[i] + 1e-3F);
+    // The grids end at the first thing that is not free: what they call free has its distance.
+    if (bound[i] >= 0.0F) {
+      EXPECT_LE(bound[i], distance[i] + 1e-3F);
+    }
   }
   EXPECT_GT(colliding, kStates / 20);
   EXPECT_LT(colliding, kStates - kStates / 20);

@@ -198,6 +198,8 @@ MotionParams circleParams(RedundancyMode mode) {
   params.mode = mode;
   params.branch = BranchChoice::Nut;
   params.torchRotation = Angle(kPi);
+  // The published plans know no cable.
+  params.cableLimit = Angle(100.0 * kPi);
   params.setWeights(ownObjective(RedundancyMode::Polynomial));
   return params;
 }

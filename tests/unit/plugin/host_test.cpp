@@ -377,7 +377,7 @@ TEST(Guard, RefusesNumbersThatAreNotFinite) {
     });
   };
   EXPECT_THAT(text("probe.slicing_nan"),
-              HasSubstr("layer 0 contour 0 has a number that is not finite at point 1"));
+              HasSubstr("layer 1 contour 1 has a number that is not finite at point 2"));
   EXPECT_THAT(text("probe.slicing_throws"), HasSubstr("beyond the end"));
   input.parts.clear();
   EXPECT_THAT(text("probe.slicing_nan"), HasSubstr("names part 0, which does not exist"));

@@ -155,6 +155,7 @@ double wireSection(const toolpath::Bead& bead, const ProcessParams& params) {
 
 TEST(TouchingBeads, ShareWhatLiesBetweenThem) {
   ProcessParams params;
+  params.speedMax = 20.0_mm_s;
   params.beadWidth = 6.0_mm;
   const toolpath::Toolpath path =
       applyProcess(straightBeads({0.0, 4.0, 8.5, 40.0}, 2.0), params, JobContext());
@@ -172,6 +173,7 @@ TEST(TouchingBeads, ShareWhatLiesBetweenThem) {
 
 TEST(TouchingBeads, CladdingEndsInDingsParabola) {
   ProcessParams params;
+  params.speedMax = 20.0_mm_s;
   params.beadWidth = 6.0_mm;
   const double spacing = 0.667 * 6.0;
   const toolpath::Toolpath path = applyProcess(

@@ -301,7 +301,7 @@ TEST(Bulk, SectionsThatAreNotClosedAreRefusedOrLaidAsBeads) {
   const std::string text = testing::errorOf(
       ErrorCode::JobFailed, [&] { static_cast<void>(slice(kBulk, input, R"({"step": 2.0})")); });
   EXPECT_NE(text.find("not closed"), std::string::npos) << text;
-  EXPECT_NE(text.find("layer 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("layer 1"), std::string::npos) << text;
   EXPECT_NE(text.find("open_sections=bead"), std::string::npos) << text;
   const JobContext context;
   const SlicedLayers sliced =
@@ -329,8 +329,17 @@ TEST(Bulk, ThinWallsVoidsAndPilesAreFindings) {
   });
   const auto seven = inputOf(meshSurface(boxMesh(Vec3(-50, -3.5, 0), Vec3(50, 3.5, 4))));
   const JobContext piled;
-  EXPECT_FALSE(slice(kBulk, seven, R"({"step": 2.0})", piled).layers.empty());
-  EXPECT_EQ(piled.diagnostics().count("slicing.overfill"), 2U);
+  // Two beads with 3.5 mm each, none narrower than 5.9 mm, which holds 0.667 times that.
+  EXPECT_FALSE(
+      slice(kBulk, seven, R"({"step": 2.0, "min_width": 5.9, "fill_narrow": false})", piled)
+          .layers.empty());
+  EXPECT_EQ(piled.diagnostics().count("slicing.overfill"), 0U);  // 112 %, below most_fill
+  const JobContext strict;
+  EXPECT_FALSE(slice(kBulk, seven,
+                     R"({"step": 2.0, "min_width": 5.9, "fill_narrow": false, "most_fill": 1.1})",
+                     strict)
+                   .layers.empty());
+  EXPECT_EQ(strict.diagnostics().count("slicing.overfill"), 2U);
   const JobContext holes;
   EXPECT_FALSE(slice(kBulk, inputOf(box()), R"({"step": 2.0, "overlap": 1.0, "pattern": "raster",
                                        "least_coverage": 0.999})",

@@ -289,7 +289,9 @@ TEST(RepeatLayers, RefusesToFillTheMemory) {
 // --- speed and wire
 
 process::ProcessParams processParams() {
-  return {};
+  process::ProcessParams params;
+  params.speedMax = 20.0_mm_s;  // room for edits of the speed
+  return params;
 }
 
 TEST(SetSpeed, CutsExactlyAtTheBorderAndKeepsLengths) {
