@@ -86,6 +86,7 @@ Vec3 ParallelCutter::onBorder(std::uint32_t halfEdge, double w) const {
 }
 
 void ParallelCutter::addBorderCrossings(const Parallel& parallel,
+                                        double tolerance,
                                         std::vector<double>& angles) const {
   const auto along = [&](std::uint32_t h, double w) {
     return offsetOf(axis_, parallel, onBorder(h, w)).along;
@@ -96,7 +97,7 @@ void ParallelCutter::addBorderCrossings(const Parallel& parallel,
     // Borders that are parallels themselves are not crossed by a parallel on them; what leads away
     // from them is crossed at its end.
     const bool crossed =
-        (start < -tolerance_) != (end < -tolerance_) || (start < tolerance_) != (end < tolerance_);
+        (start < -tolerance) != (end < -tolerance) || (start < tolerance) != (end < tolerance);
     if (!crossed) {
       continue;
     }
@@ -157,9 +158,9 @@ bool ParallelCutter::onPart(const Parallel& parallel, double from, double to) co
   return std::abs((hit->p - p).dot(travel)) < kAside * 0.5 * (to - from) * parallel.radius;
 }
 
-std::vector<ParallelArc> ParallelCutter::arcs(const Parallel& parallel) const {
+std::vector<ParallelArc> ParallelCutter::arcs(const Parallel& parallel, bool onEnd) const {
   std::vector<double> angles;
-  addBorderCrossings(parallel, angles);
+  addBorderCrossings(parallel, onEnd ? roundness_ : tolerance_, angles);
   if (!level_) {
     addSubstrateCrossings(parallel, angles);
   }

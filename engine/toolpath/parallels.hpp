@@ -46,11 +46,15 @@ public:
                  double roundness);
 
   /// Arcs in ascending order; one closed arc where the parallel meets no border.
-  [[nodiscard]] std::vector<ParallelArc> arcs(const Parallel& parallel) const;
+  /// @param onEnd the parallel is the part's end, from which borders of facets may be as far as
+  /// the part may be from a body of revolution
+  [[nodiscard]] std::vector<ParallelArc> arcs(const Parallel& parallel, bool onEnd = false) const;
 
 private:
   [[nodiscard]] Vec3 onBorder(std::uint32_t halfEdge, double w) const;
-  void addBorderCrossings(const Parallel& parallel, std::vector<double>& angles) const;
+  void addBorderCrossings(const Parallel& parallel,
+                          double tolerance,
+                          std::vector<double>& angles) const;
   void addSubstrateCrossings(const Parallel& parallel, std::vector<double>& angles) const;
   [[nodiscard]] bool onPart(const Parallel& parallel, double from, double to) const;
 

@@ -278,6 +278,9 @@ public:
   [[nodiscard]] ContourPoint point() const { return profile_.at(place_); }
 
   /// Travel direction along the profile.
+  /// The walk stands on the profile's end, where the last step was a little short.
+  [[nodiscard]] bool atEnd() const { return atEnd_; }
+
   [[nodiscard]] Vec3 direction() const {
     constexpr double kNear = 1e-3;
     ProfilePlace a = place_;
@@ -384,6 +387,7 @@ void addParallels(const ContourPoint& point,
                   const Vec3& growth,
                   const Axis& axis,
                   const ParallelCutter& cutter,
+                  bool onEnd,
                   int part,
                   const Sampling& sampling,
                   std::vector<Contour>& contours) {
@@ -404,7 +408,7 @@ void addParallels(const ContourPoint& point,
   if (half < 1.0) {
     count = std::max(count, static_cast<int>(std::ceil(kPi / std::asin(half) - 1e-9)));
   }
-  for (const ParallelArc& arc : cutter.arcs(parallel)) {
+  for (const ParallelArc& arc : cutter.arcs(parallel, onEnd)) {
     Contour& contour = contours.emplace_back();
     contour.closed = arc.closed;
     contour.part = part;
@@ -527,7 +531,8 @@ void sliceProfile(const ProfileTask& task,
       layers.back().up = task.axis.direction;
       layers.back().nominalHeight = l == 0 && first > 0.0 ? first : step;
     }
-    addParallels(point, walk.direction(), task.axis, cutter, part, sampling, layers[l].contours);
+    addParallels(point, walk.direction(), task.axis, cutter, walk.atEnd(), part, sampling,
+                 layers[l].contours);
   }
 }
 

@@ -2673,10 +2673,6 @@
         <translation>Plus grand changement d’une rotation d’évitement, en degrés par millimètre du cordon.</translation>
     </message>
     <message>
-        <source>Greatest distance between the path and the curve it follows.</source>
-        <translation>Plus grande distance entre la trajectoire et la courbe qu’elle suit.</translation>
-    </message>
-    <message>
         <source>Greatest distance from a corner at which the controller begins to round it (CNT, C_DIS, zone). 0 stops at every corner.</source>
         <translation>Plus grande distance d’un coin à laquelle le contrôleur commence à l’arrondir (CNT, C_DIS, zone). 0 s’arrête à chaque coin.</translation>
     </message>
@@ -2715,10 +2711,6 @@
     <message>
         <source>How beads cover the surface.</source>
         <translation>Comment les cordons couvrent la surface.</translation>
-    </message>
-    <message>
-        <source>How far the tool axis may lean from the toolpath&apos;s.</source>
-        <translation>De combien l’axe outil peut s’écarter de celui de la trajectoire.</translation>
     </message>
     <message>
         <source>How the curves from border to border are found.</source>
@@ -2771,10 +2763,6 @@
     <message>
         <source>Its sign is the sense.</source>
         <translation>Son signe est le sens.</translation>
-    </message>
-    <message>
-        <source>J4 + J6 where the cable is not twisted.</source>
-        <translation>J4 + J6 là où le câble n’est pas tordu.</translation>
     </message>
     <message>
         <source>Joins borders, drops degenerate and duplicate triangles, and turns triangles so that all normals agree.</source>
@@ -2973,10 +2961,6 @@
         <translation>De la sphère.</translation>
     </message>
     <message>
-        <source>Of |J4 + J6|, from the untwisted cable&apos;s value; 0 is no limit. 120 deg is usual for torch cables (Chalvin A33).</source>
-        <translation>De |J4 + J6|, à partir de la valeur du câble sans torsion ; 0 : sans limite. 120° est usuel pour les câbles de torche (Chalvin A33).</translation>
-    </message>
-    <message>
         <source>Off: the arc is lit where the bead starts.</source>
         <translation>Non : l’arc est allumé où le cordon commence.</translation>
     </message>
@@ -3131,10 +3115,6 @@
     <message>
         <source>Repairing mesh</source>
         <translation>Réparation du maillage</translation>
-    </message>
-    <message>
-        <source>Robots leave the line between far points; 4.9 mm keeps them on it.</source>
-        <translation>Les robots s’écartent de la ligne entre points éloignés ; 4.9 mm les y garde.</translation>
     </message>
     <message>
         <source>Rounded so that the last layer is the upper border.</source>
@@ -7363,10 +7343,6 @@
         <translation>Moyenne de (1 - dextérité) au carré.</translation>
     </message>
     <message>
-        <source>Mean of (1 - predicted over wanted speed) squared.</source>
-        <translation>Moyenne de (1 - vitesse prévue sur voulue) au carré.</translation>
-    </message>
-    <message>
         <source>Mean of the squared distance from the middle over half the stroke, all joints.</source>
         <translation>Moyenne du carré de la distance au milieu sur la demi-course, tous les axes.</translation>
     </message>
@@ -8645,6 +8621,10 @@
     <message>
         <source>use the mode optimized, smooth the path (axis_rate bounds the turn of its build direction), raise vertical_tolerance or lower the travel speed; lower min_speed_ratio only where the process bears it</source>
         <translation>utilisez le mode optimized, lissez la trajectoire (axis_rate borne la rotation de sa direction de construction), augmentez vertical_tolerance ou réduisez la vitesse d’avance ; ne baissez min_speed_ratio que si le procédé le permet</translation>
+    </message>
+    <message>
+        <source>Mean of (1 - predicted over wanted speed) squared, by the prediction of time and speed.</source>
+        <translation>Moyenne de (1 - vitesse prévue / vitesse voulue) au carré, d’après la prévision du temps et de la vitesse.</translation>
     </message>
 </context>
 <context>

@@ -70,10 +70,16 @@ TEST(Remedies, WhatIsOfferedDoesWhatItSays) {
       }
       followed = result.remedies[i];
       ++offered;
-      const std::size_t left = violations(compute(with(document, followed), "planar"));
+      const OperationResult after = compute(with(document, followed), "planar");
+      const std::size_t left = violations(after);
+      // A substrate beside its table stays there, whatever turns.
+      const bool onlyBeside =
+          std::all_of(after.findings.begin(), after.findings.end(), [](const Diagnostic& d) {
+            return d.severity != Severity::Violation || d.code == "motion.beside_table";
+          });
+      complete += onlyBeside ? 1U : 0U;
       const std::string remedy = finding.remedy.str();
       if (remedy.find("no violation is left") != std::string::npos) {
-        ++complete;
         EXPECT_EQ(left, 0U) << remedy;
       } else {
         EXPECT_NE(remedy.find(std::to_string(left) + " of " + std::to_string(violations(result))),
