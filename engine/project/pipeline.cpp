@@ -170,7 +170,6 @@ namespace {
 
 /// Joint values, frames and configurations of one make mean something else on another.
 void checkController(const plugin::ComponentInfo& post,
-                     const Value& params,
                      const program::Program& program,
                      const JobContext& context) {
   const std::string& controller = program.cell.controller;
@@ -189,22 +188,13 @@ void checkController(const plugin::ComponentInfo& post,
          {}});
     return;
   }
-  const Value* other = params.find(plugin::kOtherController);
-  if (other == nullptr || !other->isBool() || !other->asBool()) {
-    throw Error(
-        ErrorCode::JobFailed,
-        text("the controller of the cell is %1, this post-processor writes for %2",
-             {controller, makes}),
-        program.name,
-        text("take the post-processor of the controller; %1=true writes the program all the "
-             "same",
-             {std::string(plugin::kOtherController)}));
-  }
   context.add(
       {Severity::Warning,
        "post.other_controller",
        text("the controller of the cell is %1, the program is written for %2", {controller, makes}),
-       "check every joint value and frame before it runs",
+       text("take the post-processor for %1; otherwise check every joint value and frame before "
+            "the program runs",
+            {controller}),
        {program.name},
        {}});
 }
@@ -743,7 +733,7 @@ std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
   const auto post = plugins_->findPost(output.post);
   try {
     const Value params = post->info.params.complete(output.params, "params");
-    checkController(post->info, params, *result.program, context);
+    checkController(post->info, *result.program, context);
     return post->post->post(*result.program, params, context);
   } catch (const Error& error) {
     rethrowIn(error, text("output '%1', operation '%2'", {output.id, result.id}));

@@ -142,14 +142,7 @@ void addFrames(Schema<Dialect>& schema) {
                                .group = "Controller",
                                .level = ParamLevel::Advanced,
                                .min = 0,
-                               .max = 10})
-      .add(&Dialect::otherController,
-           {.key = "other_controller",
-            .label = "Also for other controllers",
-            .help = "Writes the program though the cell names a controller of another make. Joint "
-                    "values then have the meaning of that make.",
-            .group = "Controller",
-            .level = ParamLevel::Expert});
+                               .max = 10});
 }
 
 void addMotion(Schema<Dialect>& schema) {

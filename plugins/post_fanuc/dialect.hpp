@@ -47,7 +47,6 @@ struct Dialect {
   int wireRegister = 0;
   int payload = 0;
   Comments comments = Comments::Layers;
-  bool otherController = false;
 
   [[nodiscard]] std::size_t longestName() const {
     // R-30iA and older take 8 characters, R-30iB 36.

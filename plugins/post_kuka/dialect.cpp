@@ -138,13 +138,6 @@ void addController(Schema<Dialect>& schema) {
             .group = "Controller",
             .level = ParamLevel::Expert,
             .enabledIf = "ptp_positions=cartesian"})
-      .add(&Dialect::otherController,
-           {.key = "other_controller",
-            .label = "Also for other controllers",
-            .help = "Writes the program though the cell names a controller of another make. Axis "
-                    "values then have the meaning of that make.",
-            .group = "Controller",
-            .level = ParamLevel::Expert})
       .add(&Dialect::advance, {.key = "advance",
                                .label = "Advance run",
                                .help = "$ADVANCE: moves read ahead.",

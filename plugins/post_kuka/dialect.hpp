@@ -42,7 +42,6 @@ struct Dialect {
   std::string arcOn = "ARC_ON({job})";
   std::string arcOff = "ARC_OFF()";
   std::string wireVariable;
-  bool otherController = false;
 };
 
 /// Longest name of a KRL program.

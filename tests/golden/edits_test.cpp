@@ -147,8 +147,8 @@ TEST(EditsOfProjects, ThePauseReachesEveryPost) {
   const OperationResult result = pipeline.compute("planar", JobContext());
   const auto filesOf = [&](const std::string& post, const OperationResult& of) {
     std::vector<std::pair<std::string, std::string>> files;
-    for (const plugin::OutputFile& file : pipeline.post(
-             {post, post, {}, Value::object({{"other_controller", true}}), {}}, of, JobContext())) {
+    for (const plugin::OutputFile& file :
+         pipeline.post({post, post, {}, Value::object(), {}}, of, JobContext())) {
       files.emplace_back(file.name, file.content);
     }
     return files;

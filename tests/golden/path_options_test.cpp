@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, std::string>> filesOf(const Pipeline& pipelin
   output.id = "test";
   output.post = post;
   // KUKA's joint mode is a dry run.
-  output.params = parseJson(R"({"other_controller": true, "mode": ")" +
+  output.params = parseJson(R"({"mode": ")" +
                             std::string(post == "wcam.post.kuka" ? "cartesian" : "joint") + "\"}");
   std::vector<std::pair<std::string, std::string>> files;
   for (const plugin::OutputFile& file : pipeline.post(output, result, JobContext())) {

@@ -58,8 +58,6 @@ protected:
     output.id = "test";
     output.post = post;
     output.params = parseJson(params);
-    // Robots of all makes prove the printers; a user gets the post-processor of the controller.
-    output.params.set("other_controller", true);
     std::vector<std::pair<std::string, std::string>> named;
     for (const plugin::OutputFile& file : pipeline_->post(output, result_, JobContext())) {
       named.emplace_back(file.name, file.content);

@@ -23,13 +23,10 @@ struct ComponentInfo {
   bool needsGuide = false;          ///< slicing: the operation must name a guide curve
   std::string automaticGuide = {};  ///< key of a parameter that makes the guide needless when true
   bool needsFile = false;           ///< slicing: the operation must name a file with a path
-  /// post: makes of controllers that it writes for, as cells name them ("FANUC"); empty: any. A
-  /// parameter kOtherController lets the user write for a cell of another make all the same.
+  /// post: makes of controllers that it writes for, as cells name them ("FANUC"); empty: any. The
+  /// user is warned where the cell is of another make.
   std::vector<std::string> controllers = {};
 };
-
-/// Key of the parameter (true or false) of a post-processor that names its controllers.
-inline constexpr const char* kOtherController = "other_controller";
 
 using SlicingFactory = std::function<std::unique_ptr<SlicingStrategy>()>;
 using PostFactory = std::function<std::unique_ptr<PostProcessor>()>;
