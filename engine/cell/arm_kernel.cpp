@@ -3,10 +3,11 @@
 //
 // The batch form of arm.cpp: the same formulas over blocks of poses, structure of arrays. Loops
 // have fixed bounds and no branches so that the compiler makes vector code; no sine or cosine is
-// computed, only arc tangents, all others follow from the sides of the triangles.
+// computed, only arc tangents, all others follow from the sides of the triangles. Arithmetic is
+// strict, so that all clones give the same bits.
 //
-// Compiled with fast-math: this file must include nothing with inline functions that other files
-// use too (Eigen), since the linker keeps one copy of those for all.
+// Compiled with options of its own: this file must include nothing with inline functions that other
+// files use too (Eigen), since the linker keeps one copy of those for all.
 
 #include "arm_kernel.hpp"
 
@@ -28,6 +29,38 @@ constexpr double kRelativeSlack = 1e-12;
 constexpr double kTiny = 1e-300;
 /// Squared sine below which axes 4 and 6 count as in line: axis 4 is then 0.
 constexpr double kSingular2 = 1e-20;
+
+/// atan2 without branches, within 2 units in the last place: the C library's cannot be vectorised
+/// with the same bits for every width. Quotients up to kBend by the rational approximation of
+/// Cephes (Moshier, atan), those up to 1 turned back by 45°, all others by the complement.
+static WCAM_CLONED double arcTangent(double y, double x) {
+  constexpr double kBend = 0.66;
+  constexpr double kEighthTurn = kHalfTurn / 4.0;
+  const double ax = std::fabs(x);
+  const double ay = std::fabs(y);
+  const double high = ax > ay ? ax : ay;
+  const double low = ax > ay ? ay : ax;
+  const bool bent = low > kBend * high;
+  const double t = (bent ? low - high : low) / ((bent ? low + high : high) + kTiny);
+  const double z = t * t;
+  const double p = ((((-8.750608600031904122785e-1 * z - 1.615753718733365076637e1) * z -
+                      7.500855792314704667340e1) *
+                         z -
+                     1.228866684490136173410e2) *
+                        z -
+                    6.485021904942025371773e1);
+  const double q = (((((z + 2.485846490142306297962e1) * z + 1.650270098316988542046e2) * z +
+                      4.328810604912902668951e2) *
+                         z +
+                     4.853903996359136964868e2) *
+                        z +
+                    1.945506571482613964425e2);
+  const double small = t * (z * p / q) + t;
+  const double sector = bent ? small + kEighthTurn : small;
+  const double quadrant = ay > ax ? 2.0 * kEighthTurn - sector : sector;
+  const double half = x < 0.0 ? kHalfTurn - quadrant : quadrant;
+  return std::copysign(half, y);
+}
 
 /// Wrist rotation (row major) and centre in the canonical base.
 struct Lanes {
@@ -105,7 +138,7 @@ static WCAM_CLONED void solveShoulder(const ArmConstants& k,
     }
   }
   for (int n = 0; n < kN; ++n) {
-    angles.c[0][n] = std::atan2(out.sine[n], out.cosine[n]);
+    angles.c[0][n] = arcTangent(out.sine[n], out.cosine[n]);
   }
 }
 
@@ -161,19 +194,19 @@ static WCAM_CLONED void solveElbowAndWrist(const ArmConstants& k,
     x6[n] = us * shoulder.row1[1][n] - vs * across[1];
   }
   for (int n = 0; n < kN; ++n) {
-    angles.c[1][n] = std::atan2(y2[n], x2[n]);
+    angles.c[1][n] = arcTangent(y2[n], x2[n]);
   }
   for (int n = 0; n < kN; ++n) {
-    angles.c[2][n] = std::atan2(y3[n], x3[n]);
+    angles.c[2][n] = arcTangent(y3[n], x3[n]);
   }
   for (int n = 0; n < kN; ++n) {
-    angles.c[3][n] = std::atan2(y4[n], x4[n]);
+    angles.c[3][n] = arcTangent(y4[n], x4[n]);
   }
   for (int n = 0; n < kN; ++n) {
-    angles.c[4][n] = std::atan2(y5[n], x5[n]);
+    angles.c[4][n] = arcTangent(y5[n], x5[n]);
   }
   for (int n = 0; n < kN; ++n) {
-    angles.c[5][n] = std::atan2(y6[n], x6[n]);
+    angles.c[5][n] = arcTangent(y6[n], x6[n]);
   }
 }
 

@@ -15,6 +15,7 @@ find_package(OpenCASCADE REQUIRED)
 find_package(CGAL REQUIRED)
 find_package(fcl 0.7 CONFIG REQUIRED)
 find_library(WCAM_MUPARSER muparser REQUIRED)
+find_library(WCAM_SLEEF sleef REQUIRED)
 # Clipper: its package has no CMake file. Boost.Polygon is header-only.
 find_library(WCAM_CLIPPER polyclipping REQUIRED)
 find_path(WCAM_CLIPPER_INCLUDE polyclipping/clipper.hpp REQUIRED)
