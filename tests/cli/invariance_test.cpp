@@ -3,6 +3,7 @@
 
 // The same project gives the same bytes, whoever runs it, where, when and on how many threads.
 #include "camcli.hpp"
+#include "every_strategy.hpp"
 
 namespace wcam::testing {
 namespace {
@@ -50,6 +51,25 @@ TEST_F(Invariance, ThreadsOfTheOptimisedMotion) {
   const fs::path project = shippedExample("elbow") / "elbow.wcam";
   expectSame(exported(project, {"--operation", "guide", "--threads", "1"}),
              exported(project, {"--operation", "guide", "--threads", "2"}));
+}
+
+/// The C library has other functions for processors without FMA and AVX2.
+TEST_F(Invariance, ProcessorsWithoutFusedMultiplyAdd) {
+  ProcessRequest older;
+  older.environment["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-FMA,-AVX2_Usable,-AVX2";
+  const fs::path strategies = test::writeEveryStrategy(folder_ / "strategies", {"constant"});
+  expectSame(exported(strategies), exported(strategies, {}, older));
+  const fs::path modes = test::writeEveryStrategy(
+      folder_ / "modes",
+      {"optimized", "constant", "point_by_point", "polynomial", "fixed", "constant_tool_axis",
+       "fixed_tool_tip", "homogeneous", "planar_vertical"});
+  std::vector<std::string> guides = {"--set", "guide-planar_vertical.motion.tilt_tolerance=1deg"};
+  for (const char* mode :
+       {"optimized", "point_by_point", "polynomial", "fixed", "constant_tool_axis",
+        "fixed_tool_tip", "homogeneous", "planar_vertical"}) {
+    guides.insert(guides.end(), {"--operation", std::string("guide-") + mode});
+  }
+  expectSame(exported(modes, guides), exported(modes, guides, older));
 }
 
 TEST_F(Invariance, SecondRunIntoTheSameFolder) {
