@@ -13,6 +13,10 @@ namespace wcam::cell {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
+/// Halfway between two values, within this part of their distance, the lower one is taken: both are
+/// as near, and rounding must not choose. Far above the noise of angles, far below what anybody
+/// sees.
+constexpr double kHalfwayTie = 1e-9;
 /// Rounding of a value that lies on a limit, rad and mm.
 constexpr double kLimitSlack = 1e-12;
 constexpr double kLengthSlack = 1e-9;
@@ -42,8 +46,12 @@ bool periodicJoint(const Cell& cell, int joint) {
                                     : wholeColumn(cell.positioner, joint - cell.robotJoints());
 }
 
+double nearestPeriod(double value, double reference, double period) {
+  return value + period * std::ceil((reference - value) / period - 0.5 - kHalfwayTie);
+}
+
 double nearestTurn(double value, double reference) {
-  return value + kTurn * std::round((reference - value) / kTurn);
+  return nearestPeriod(value, reference, kTurn);
 }
 
 double limitExcess(const Joint& joint, double value) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/base/quantity.hpp"
+#include "wcam/cell/unwrap.hpp"
 
 #include "modes.hpp"
 #include "table_axis.hpp"
@@ -49,7 +50,7 @@ Resolution resolvePlanarVertical(const Task& task, const JobContext& context) {
   Resolution resolution = resolveTable(task, table, context, [&](std::size_t i, double before) {
     // q8 = −atan2(p'y, p'x) modulo a half turn: of both sides of the plane the nearer one.
     const std::optional<double> azimuth = table.azimuthOfPoint(task.targets[i].p);
-    return azimuth ? -*azimuth + kPi * std::round((before + *azimuth) / kPi) : before;
+    return azimuth ? cell::nearestPeriod(-*azimuth, before, kPi) : before;
   });
   for (std::size_t i = 0; i < task.targets.size(); ++i) {
     standUpright(task.cell, task.targets[i], resolution.choices[i]);

@@ -36,7 +36,7 @@ constexpr double kDegrees = 180.0 / kPi;
 constexpr double kMicrometres = 1e3;
 
 double towardsMultiple(double angle) {
-  return angle - kPi * std::round(angle / kPi);
+  return cell::nearestPeriod(angle, 0.0, kPi);
 }
 
 }  // namespace

@@ -14,8 +14,10 @@ namespace wcam::motion::detail {
 
 namespace {
 
-/// A direction this near to the axis (sine), or a point this near (mm), has no azimuth.
-constexpr double kAlongAxis = 1e-9;
+/// A direction this near to the axis (sine), or a point this near (the last digit of programs, mm),
+/// has no azimuth: rounding would choose it.
+constexpr double kAlongAxis = 1e-6;
+constexpr double kOnAxis = 1e-3;
 constexpr std::size_t kCheckEvery = 1024;
 
 }  // namespace
@@ -40,21 +42,21 @@ TableAxis::TableAxis(const Cell& cell, bool inPlane)
   side_ = axis_.cross(zero_);
 }
 
-std::optional<double> TableAxis::azimuth(const Vec3& inTable) const {
+std::optional<double> TableAxis::azimuth(const Vec3& inTable, double least) const {
   const double x = inTable.dot(zero_);
   const double y = inTable.dot(side_);
-  if (std::hypot(x, y) < kAlongAxis) {
+  if (std::hypot(x, y) < least) {
     return std::nullopt;
   }
   return std::atan2(y, x);
 }
 
 std::optional<double> TableAxis::azimuthOf(const Vec3& direction) const {
-  return azimuth(cell_.T_table_part.linear() * direction);
+  return azimuth(cell_.T_table_part.linear() * direction, kAlongAxis);
 }
 
 std::optional<double> TableAxis::azimuthOfPoint(const Vec3& point) const {
-  return azimuth(cell_.T_table_part * point - origin_);
+  return azimuth(cell_.T_table_part * point - origin_, kOnAxis);
 }
 
 double TableAxis::angleTo(const Vec3& direction) const {

@@ -32,7 +32,7 @@ public:
   [[nodiscard]] double turnOf(const PositionerValues& values) const;
 
 private:
-  [[nodiscard]] std::optional<double> azimuth(const Vec3& inTable) const;
+  [[nodiscard]] std::optional<double> azimuth(const Vec3& inTable, double least) const;
 
   const Cell& cell_;
   std::size_t last_;

@@ -113,7 +113,7 @@ std::vector<double> cableShifts(const CellModel& model,
       low = std::min(low, twist);
       high = std::max(high, twist);
     }
-    shifts[r] = -model.cableSign() * kTurn * std::round(0.5 * (low + high) / kTurn);
+    shifts[r] = model.cableSign() * cell::nearestTurn(0.0, -0.5 * (low + high));
   }
   return shifts;
 }

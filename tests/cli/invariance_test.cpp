@@ -72,6 +72,44 @@ TEST_F(Invariance, ProcessorsWithoutFusedMultiplyAdd) {
   expectSame(exported(modes, guides), exported(modes, guides, older));
 }
 
+/// Where two motions are as good, rounding of the part's place does not choose.
+TEST_F(Invariance, NoiseOfThePlace) {
+  const fs::path project = test::writeEveryStrategy(
+      folder_ / "place", {"optimized", "point_by_point", "polynomial", "fixed",
+                          "constant_tool_axis", "fixed_tool_tip", "homogeneous"});
+  const std::string text = readFile(project);
+  std::vector<std::string> operations = {"--set", "motion.min_speed_ratio=0.01"};
+  for (const char* mode : {"optimized", "point_by_point", "polynomial", "fixed",
+                           "constant_tool_axis", "fixed_tool_tip", "homogeneous"}) {
+    operations.insert(operations.end(), {"--operation", std::string("bulk-") + mode});
+  }
+  const auto tables = [&](const std::string& place) {
+    const std::string id = R"("id": "box",)";
+    writeFileAtomically(project,
+                        replaced(text, id, id + R"("placement": {"position_mm": )" + place + "},"));
+    (void)exported(project, operations);
+    std::vector<Table> read;
+    for (std::size_t i = 3; i < operations.size(); i += 2) {
+      read.push_back(readTable(folder_ / "result" / (operations[i] + ".csv")));
+    }
+    return read;
+  };
+  const std::vector<Table> still = tables("[0, 0, 0]");
+  for (const char* place : {"[1e-9, 0, 0]", "[-1e-9, 1e-9, 0]", "[1e-10, -1e-10, 0]"}) {
+    const std::vector<Table> moved = tables(place);
+    for (std::size_t t = 0; t < still.size(); ++t) {
+      ASSERT_EQ(still[t].rows.size(), moved[t].rows.size()) << operations[2 * t + 3];
+      for (std::size_t row = 0; row < still[t].rows.size(); ++row) {
+        for (const char* joint :
+             {"j1_deg", "j2_deg", "j3_deg", "j4_deg", "j5_deg", "j6_deg", "j7_deg", "j8_deg"}) {
+          ASSERT_NEAR(still[t].number(row, joint), moved[t].number(row, joint), 1e-3)
+              << operations[2 * t + 3] << " row " << row << " " << joint << " " << place;
+        }
+      }
+    }
+  }
+}
+
 TEST_F(Invariance, SecondRunIntoTheSameFolder) {
   const Files first = exported(elbow_);
   const ProcessResult again =

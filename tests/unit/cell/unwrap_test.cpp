@@ -19,6 +19,15 @@ Joint limited(double min, double max) {
   return joint;
 }
 
+TEST(Unwrap, HalfwayRoundingDoesNotChoose) {
+  for (const double noise : {0.0, 1e-9, -1e-9}) {
+    EXPECT_NEAR(nearestTurn(kPi + noise, 0.0), -kPi, 1e-8);
+    EXPECT_NEAR(nearestTurn(-kPi + noise, 0.0), -kPi, 1e-8);
+    EXPECT_NEAR(nearestTurn(noise, 7.0 * kPi), 6.0 * kPi, 1e-8);
+    EXPECT_NEAR(nearestPeriod(noise, 1.5 * kPi, kPi), kPi, 1e-8);
+  }
+}
+
 TEST(Unwrap, nearestTurn) {
   EXPECT_NEAR(radToDeg(nearestTurn(degToRad(-170), degToRad(175))), 190, 1e-9);
   EXPECT_NEAR(radToDeg(nearestTurn(degToRad(10), degToRad(725))), 730, 1e-9);

@@ -10,7 +10,9 @@ namespace wcam::cell {
 /// joint that drives another one by a non-integer coupling is not, nor is a prismatic one.)
 bool periodicJoint(const Cell& cell, int joint);
 
-/// value + 2πk nearest to `reference`.
+/// value + k·period nearest to `reference`; the lower one of two that are as near up to rounding.
+double nearestPeriod(double value, double reference, double period);
+/// value + 2πk nearest to `reference`, likewise.
 double nearestTurn(double value, double reference);
 
 /// value + 2πk inside the joint's limits and nearest to `reference`; when no turn is inside, the
