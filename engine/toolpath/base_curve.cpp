@@ -25,6 +25,13 @@ using geometry::PartSurface;
 constexpr std::uint32_t kNone = HalfEdges::kNone;
 constexpr const char* kPlace = "base of the part";
 constexpr std::size_t kVertexGrain = 4096;
+/// A border that is partly on the substrate leaves it at corners: steeper than this (sine) the next
+/// edge rises. A slanted or wavy rim leaves smoothly, and stays one border.
+constexpr double kLeavesSteeply = 0.5;
+/// What stands on less than this part of a border does not stand on it.
+constexpr double kStandingPart = 0.02;
+/// A border turns by more than this at the corner between its side and its top (cosine of 45°).
+constexpr double kCorner = 0.70710678118654752440;
 /// Rounding of a height, in parts of the part's size.
 constexpr double kHeightSnap = 1e-11;
 
@@ -159,6 +166,10 @@ private:
     return mesh_.triangles[h / 3][h % 3];
   }
 
+  [[nodiscard]] std::uint32_t endOf(std::uint32_t h) const {
+    return mesh_.triangles[h / 3][(h % 3 + 1) % 3];
+  }
+
   void collectBorders() {
     const HalfEdges& halfEdges = surface_.halfEdges;
     std::vector<bool> visited(3 * mesh_.triangles.size(), false);
@@ -207,6 +218,97 @@ private:
       heightBefore = h;
     }
     loop.mean = loop.length > 0.0 ? sum / loop.length : loop.lowest;
+  }
+
+  /// The stretch of a border between two of its half-edges, the last one not included.
+  [[nodiscard]] BaseLoop stretch(const BaseLoop& loop, std::size_t first, std::size_t count) const {
+    BaseLoop part;
+    part.closed = false;
+    part.component = loop.component;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t h = loop.halfEdges[(first + i) % loop.halfEdges.size()];
+      part.halfEdges.push_back(h);
+      part.vertices.push_back(startOf(h));
+      part.points.push_back(atStart(h));
+    }
+    part.points.push_back(onHalfEdge(part.halfEdges.back(), 1.0));
+    part.vertices.push_back(endOf(part.halfEdges.back()));
+    measure(part);
+    return part;
+  }
+
+  [[nodiscard]] double rise(std::uint32_t h) const {
+    const double length = (mesh_.vertices[endOf(h)] - mesh_.vertices[startOf(h)]).norm();
+    return length > 0.0 ? std::abs(height_[endOf(h)] - height_[startOf(h)]) / length : 0.0;
+  }
+
+  [[nodiscard]] Vec3 directionOf(std::uint32_t h) const {
+    return (mesh_.vertices[endOf(h)] - mesh_.vertices[startOf(h)]).normalized();
+  }
+
+  /// Stretches of a border between half-edges that are not `inside`: first half-edge and number.
+  /// None when all or no half-edges are inside.
+  template <class Inside>
+  [[nodiscard]] static std::vector<std::pair<std::size_t, std::size_t>> stretches(
+      std::size_t size, const Inside& inside) {
+    std::size_t begin = 0;
+    while (begin < size && inside(begin)) {
+      ++begin;
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (std::size_t i = 0; begin < size && i < size;) {
+      std::size_t count = 0;
+      while (i + count < size && inside((begin + i + count) % size)) {
+        ++count;
+      }
+      if (count > 0) {
+        found.emplace_back((begin + i) % size, count);
+      }
+      i += count + 1;
+    }
+    return found;
+  }
+
+  /// The stretches of a border on which a sheet stands: those on the substrate that end at corners.
+  /// Empty for borders that lie on it as a whole or not at all.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> standing(
+      const BaseLoop& loop) const {
+    const std::size_t size = loop.halfEdges.size();
+    const auto lies = [&](std::size_t i) {
+      const std::uint32_t h = loop.halfEdges[i];
+      return std::abs(height_[startOf(h)]) <= kSubstrateContact &&
+             std::abs(height_[endOf(h)]) <= kSubstrateContact;
+    };
+    auto found = stretches(size, lies);
+    const bool holds = std::all_of(found.begin(), found.end(), [&](const auto& part) {
+      const auto [first, count] = part;
+      return rise(loop.halfEdges[(first + size - 1) % size]) >= kLeavesSteeply &&
+             rise(loop.halfEdges[(first + count) % size]) >= kLeavesSteeply &&
+             stretch(loop, first, count).length >= kStandingPart * loop.length;
+    });
+    return holds ? found : decltype(found){};
+  }
+
+  /// Adds the top of a sheet whose border is partly below or on the substrate (`low`): between two
+  /// such stretches the border goes up a side, along the top and down a side. Without corners there
+  /// is no top.
+  template <class Low>
+  void addTops(const BaseLoop& loop, const Low& low) {
+    const std::size_t size = loop.halfEdges.size();
+    for (const auto& [first, count] : stretches(size, [&low](std::size_t i) { return !low(i); })) {
+      std::vector<std::size_t> corners;
+      for (std::size_t i = 1; i < count; ++i) {
+        const Vec3 before = directionOf(loop.halfEdges[(first + i - 1) % size]);
+        const Vec3 after = directionOf(loop.halfEdges[(first + i) % size]);
+        if (before.dot(after) < kCorner) {
+          corners.push_back(i);
+        }
+      }
+      if (corners.size() >= 2) {
+        base_.upper.push_back(
+            stretch(loop, (first + corners.front()) % size, corners.back() - corners.front()));
+      }
+    }
   }
 
   /// @return whether something of the piece is built
@@ -272,12 +374,26 @@ private:
       base_.lower.push_back(std::move(loop));
     }
     for (const std::size_t i : pieces_[k].loops) {
-      addUpper(i);
+      const BaseLoop& loop = loops_[i];
+      if (loop.lowest < -kSubstrateContact && loop.highest > kSubstrateContact) {
+        addTops(loop, [&](std::size_t at) {
+          const std::uint32_t h = loop.halfEdges[at];
+          return height_[startOf(h)] < 0.0 || height_[endOf(h)] < 0.0;
+        });
+      } else {
+        addUpper(i);
+      }
     }
   }
 
   [[nodiscard]] static bool onSubstrate(const BaseLoop& loop) {
     return std::max(-loop.lowest, loop.highest) <= kSubstrateContact;
+  }
+
+  void addLower(const BaseLoop& loop) {
+    base_.source.borderEdges.insert(base_.source.borderEdges.end(), loop.halfEdges.begin(),
+                                    loop.halfEdges.end());
+    base_.lower.push_back(loop);
   }
 
   void chooseBorders(std::size_t k) {
@@ -287,20 +403,30 @@ private:
     bool any = false;
     for (const std::size_t i : loops) {
       least = std::min(least, loops_[i].mean);
-      any = any || onSubstrate(loops_[i]);
+      any = any || onSubstrate(loops_[i]) || !standing(loops_[i]).empty();
     }
-    std::size_t count = 0;
+    const std::size_t before = base_.lower.size();
     for (const std::size_t i : loops) {
       const BaseLoop& loop = loops_[i];
       if (any ? onSubstrate(loop) : loop.mean <= least + kSubstrateContact) {
-        ++count;
-        base_.source.borderEdges.insert(base_.source.borderEdges.end(), loop.halfEdges.begin(),
-                                        loop.halfEdges.end());
-        base_.lower.push_back(loop);
-      } else {
-        addUpper(i);
+        addLower(loop);
+        continue;
       }
+      const auto feet = any ? standing(loop) : std::vector<std::pair<std::size_t, std::size_t>>{};
+      if (feet.empty()) {
+        addUpper(i);
+        continue;
+      }
+      std::vector<bool> low(loop.halfEdges.size(), false);
+      for (const auto& [first, count] : feet) {
+        addLower(stretch(loop, first, count));
+        for (std::size_t at = 0; at < count; ++at) {
+          low[(first + at) % low.size()] = true;
+        }
+      }
+      addTops(loop, [&low](std::size_t at) { return low[at]; });
     }
+    const std::size_t count = base_.lower.size() - before;
     if (!any) {
       reportGap(base_.lower.back());
     }

@@ -86,7 +86,7 @@ WallPart prepareWall(const geometry::PartSurface& part,
                  placeOf(wall.surface.mesh.vertices[base.upper[1].vertices[0]])}),
            "close holes in the wall, or slice the part with the strategy for branches");
   }
-  if (base.lower.front().vertices.size() < 3) {
+  if (!base.lower.front().closed || base.lower.front().vertices.size() < 3) {
     refuse("the lower border is not a closed curve",
            "place the part so that it meets the substrate in "
            "one closed curve");

@@ -93,7 +93,7 @@ Schema<Params> makeSchema() {
             .min = 0.0,
             .max = 1e4,
             .enabledIf = "field!=height"});
-  toolpath::addLastLayer(schema, &Params::last, "field=height");
+  toolpath::addLastLayer(schema, &Params::last, "field!=isovalues");
   return schema;
 }
 
@@ -110,19 +110,18 @@ public:
     const Params params = Params::schema().read(values, "slicing of branching parts");
     branches::PieceOptions options;
     options.field = params.field;
-    options.step = params.step.value();
-    options.firstLayer = params.firstLayer;
+    options.layers = {params.step.value(), params.firstLayer, params.last, input.bead.heightMin,
+                      input.bead.heightMax};
     options.leastBranch =
         params.leastBranch.value() > 0.0 ? params.leastBranch.value() : params.step.value();
     options.edge = params.edge.value();
     options.methods = branches::parsePieceMethods(params.pieces);
     if (params.field == Field::Height) {
-      const toolpath::LayerWish wish{options.step, options.firstLayer, params.last,
-                                     input.bead.heightMin, input.bead.heightMax};
       const toolpath::PlaneStack stack =
-          toolpath::planeStack(input.parts, *input.substrate, {wish, 0.0, std::nullopt});
-      toolpath::reportSteps(stack.ends, stack.levels, wish, stack.step, stack.tolerance, context);
-      options.step = stack.step;
+          toolpath::planeStack(input.parts, *input.substrate, {options.layers, 0.0, std::nullopt});
+      toolpath::reportSteps(stack.ends, stack.levels, options.layers, stack.step, stack.tolerance,
+                            context);
+      options.layers.step = stack.step;
     }
     std::vector<branches::PieceLayers> pieces;
     bool any = false;
@@ -149,7 +148,7 @@ public:
     toolpath::SlicedLayers sliced = branches::arrange(std::move(pieces), params.order);
     sliced.curved = params.field != Field::Height || !options.methods.common();
     toolpath::moveOntoParts(sliced, input.parts, input.sampling, context);
-    toolpath::reportHeights(sliced, input.bead, options.step,
+    toolpath::reportHeights(sliced, input.bead, options.layers.step,
                             "layers that follow the distance from the base keep the height best",
                             context);
     toolpath::reportDownward(sliced, input.substrate->up(), context);
@@ -163,7 +162,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Branching parts",
        .summary = "Cuts a part where its layers part or join and builds the pieces in a chosen "
                   "order, each layer on those that lie below it.",
-       .version = 3,
+       .version = 4,
        .params = Params::schema().params()},
       [] { return std::make_unique<BranchSlicing>(); });
 }

@@ -7,10 +7,12 @@
 #include "wcam/base/text.hpp"
 #include "wcam/geometry/cut_mesh.hpp"
 #include "wcam/geometry/geodesic.hpp"
+#include "wcam/geometry/level_set.hpp"
 #include "wcam/geometry/refine.hpp"
 #include "wcam/toolpath/base_curve.hpp"
 #include "wcam/toolpath/field_heights.hpp"
 #include "wcam/toolpath/iso_field.hpp"
+#include "wcam/toolpath/layer_levels.hpp"
 #include "wcam/toolpath/plane_field.hpp"
 #include "wcam/toolpath/spiral.hpp"
 
@@ -43,7 +45,11 @@ public:
              std::size_t part,
              const PieceOptions& options,
              const JobContext& context)
-      : input_(input), part_(part), options_(options), context_(context) {}
+      : input_(input),
+        part_(part),
+        options_(options),
+        context_(context),
+        step_(options.layers.step) {}
 
   std::vector<PieceLayers> run() {
     makeField();
@@ -66,8 +72,8 @@ private:
     const PartSurface& part = *input_.parts[part_];
     if (options_.field == Field::Height) {
       toolpath::PlaneStackOptions stack;
-      stack.layers.step = options_.step;
-      stack.layers.firstLayer = options_.firstLayer;
+      stack.layers.step = step_;
+      stack.layers.firstLayer = options_.layers.firstLayer;
       stack_ = toolpath::planeStack(input_.parts, *input_.substrate, stack);
       wall_ = options_.methods.common() ? part : fineWall();
       for (const Vec3& p : wall_.mesh.vertices) {
@@ -78,12 +84,13 @@ private:
     wall_ = fineWall();
     const JobContext own = context_.withOwnDiagnostics();
     if (options_.field == Field::Geodesic) {
-      field_ =
-          toolpath::distanceFromBase(wall_, toolpath::findBase(wall_, *input_.substrate, own), own);
+      const toolpath::PartBase base = toolpath::findBase(wall_, *input_.substrate, own);
+      field_ = toolpath::distanceFromBase(wall_, base, own);
+      fitToBorder(base);
     } else {
       toolpath::IsoValueOptions iso;
-      iso.step = options_.step;
-      iso.firstLayer = options_.firstLayer;
+      iso.step = step_;
+      iso.firstLayer = options_.layers.firstLayer;
       field_ = toolpath::isoValueField(wall_, *input_.substrate, iso, own).values;
     }
     for (Diagnostic finding : own.diagnostics().items()) {
@@ -94,12 +101,31 @@ private:
     }
   }
 
+  /// The step with which the highest border of a part that is even enough is a layer.
+  void fitToBorder(const toolpath::PartBase& base) {
+    const toolpath::EndBorder end = toolpath::endBorderOf(base, field_, step_);
+    if (!(end.distance > 0.0)) {
+      return;
+    }
+    borderTolerance_ = std::max(end.spread, geometry::flatTolerance(wall_.mesh));
+    const toolpath::LayerSteps fitted =
+        toolpath::layersUpTo(end.distance, options_.layers, borderTolerance_);
+    step_ = fitted.step;
+    std::vector<LayerLevel> levels;
+    for (std::size_t k = 0; k < fitted.count; ++k) {
+      levels.push_back({(options_.layers.firstLayer + static_cast<double>(k)) * step_,
+                        input_.substrate->up(), step_});
+    }
+    toolpath::reportSteps({end.distance}, levels, options_.layers, step_, borderTolerance_,
+                          context_);
+  }
+
   /// The part above the substrate, with a mesh that carries fields.
   [[nodiscard]] PartSurface fineWall() const {
     const PartSurface& part = *input_.parts[part_];
     const double edge = options_.edge > 0.0
                             ? options_.edge
-                            : geometry::fieldEdgeLength(part, kLayersPerEdge * options_.step);
+                            : geometry::fieldEdgeLength(part, kLayersPerEdge * step_);
     return toolpath::openWall(
         geometry::refineSurface(part, edge, context_.portion(0.0, 0.2, "refinement")),
         *input_.substrate);
@@ -199,7 +225,7 @@ private:
   [[nodiscard]] std::vector<LayerLevel> within(const std::vector<LayerLevel>& levels,
                                                const FieldPiece& piece) const {
     std::vector<LayerLevel> result;
-    const double slack = kOnEnd * options_.step;
+    const double slack = std::max(kOnEnd * step_, borderTolerance_);
     for (const LayerLevel& level : levels) {
       const bool begins = piece.below.empty() ? level.value >= piece.from - slack
                                               : level.value > piece.from + slack;
@@ -247,9 +273,10 @@ private:
 
   [[nodiscard]] toolpath::SlicedLayers byDistance(const FieldPiece& piece) const {
     const auto surface = std::make_shared<const PartSurface>(piece.surface);
-    const toolpath::VertexField field{{piece.field}};
-    const double count = piece.to / options_.step - options_.firstLayer + 1.0;
-    const auto levels = toolpath::isoLevels({surface}, field, options_.step, options_.firstLayer,
+    toolpath::VertexField field{{piece.field}};
+    field.borderTolerance = borderTolerance_;
+    const double count = (piece.to + borderTolerance_) / step_ - options_.layers.firstLayer + 1.0;
+    const auto levels = toolpath::isoLevels({surface}, field, step_, options_.layers.firstLayer,
                                             static_cast<std::size_t>(std::max(0.0, count + kOnEnd)),
                                             input_.substrate->up());
     return withHeights(piece, surface, field, within(levels, piece));
@@ -263,7 +290,7 @@ private:
 
   [[nodiscard]] Ends endsOf(const FieldPiece& piece) const {
     Ends ends;
-    const double slack = kOnEnd * options_.step;
+    const double slack = kOnEnd * step_;
     for (const auto& loop : piece.surface.halfEdges.borderLoops(piece.surface.mesh)) {
       for (const std::uint32_t v : loop) {
         if (piece.field[v] <= piece.from + slack) {
@@ -300,11 +327,11 @@ private:
              .distance(source, std::numeric_limits<double>::infinity(), context_)}};
     const double farthest = *std::max_element(field.values[0].begin(), field.values[0].end());
     pieceHeight_ = farthest;
-    const double first = piece.below.empty() ? options_.firstLayer : 1.0;
-    const double count = std::floor(farthest / options_.step - first + 1.0 + kOnEnd);
+    const double first = piece.below.empty() ? options_.layers.firstLayer : 1.0;
+    const double count = std::floor(farthest / step_ - first + 1.0 + kOnEnd);
     const auto surface = std::make_shared<const PartSurface>(piece.surface);
     const auto levels =
-        toolpath::isoLevels({surface}, field, options_.step, first,
+        toolpath::isoLevels({surface}, field, step_, first,
                             static_cast<std::size_t>(std::max(0.0, count)), input_.substrate->up());
     return withHeights(piece, surface, field, levels);
   }
@@ -313,7 +340,7 @@ private:
   [[nodiscard]] toolpath::SlicedLayers bySpiral(const FieldPiece& piece, std::size_t number) {
     const toolpath::WallLimits limits = limitsOf(piece);
     toolpath::SpiralWish wish;
-    wish.height = options_.step;
+    wish.height = step_;
     wish.heightMin = input_.bead.heightMin;
     wish.heightMax = input_.bead.heightMax;
     wish.end = limits.upper.empty() ? toolpath::SpiralEnd::Point : toolpath::SpiralEnd::Mirrored;
@@ -383,10 +410,10 @@ private:
     if (lower.empty() || upper.empty()) {
       return byDistance(piece);  // it closes in a point: the common field has its distance
     }
-    toolpath::IsoField iso = toolpath::isoValuesBetween(piece.surface, lower, upper, options_.step,
+    toolpath::IsoField iso = toolpath::isoValuesBetween(piece.surface, lower, upper, step_,
                                                         context_.withOwnDiagnostics());
     const auto surface = std::make_shared<const PartSurface>(piece.surface);
-    const double first = piece.below.empty() ? options_.firstLayer : 1.0;
+    const double first = piece.below.empty() ? options_.layers.firstLayer : 1.0;
     const std::size_t layers = iso.layers + (first < 1.0 && iso.layers > 0 ? 1 : 0);
     const double stretch =
         first < 1.0 && iso.layers > 0
@@ -396,9 +423,9 @@ private:
     for (double& value : field.values[0]) {
       value *= stretch;
     }
-    pieceHeight_ = static_cast<double>(iso.layers) * options_.step * stretch;
+    pieceHeight_ = static_cast<double>(iso.layers) * step_ * stretch;
     const auto levels =
-        toolpath::isoLevels({surface}, field, options_.step, first, layers, input_.substrate->up());
+        toolpath::isoLevels({surface}, field, step_, first, layers, input_.substrate->up());
     return withHeights(piece, surface, field, levels);
   }
 
@@ -415,7 +442,7 @@ private:
       const toolpath::VertexField& field,
       const std::vector<LayerLevel>& levels) const {
     toolpath::SlicedLayers sliced = trace(piece, field, levels);
-    toolpath::setFieldHeights(sliced, {surface}, field, options_.step);
+    toolpath::setFieldHeights(sliced, {surface}, field, step_);
     const auto forget = [](SlicedLayer& layer) {
       for (toolpath::Contour& contour : layer.contours) {
         for (toolpath::ContourPoint& point : contour.points) {
@@ -439,7 +466,9 @@ private:
   toolpath::PlaneStack stack_;
   PartSurface wall_;
   std::vector<double> field_;
-  double pieceHeight_ = 0.0;  ///< greatest value of the own field of the piece at hand
+  double step_;                   ///< fitted to the height where that is asked for, mm
+  double borderTolerance_ = 0.0;  ///< a level this near to a border is that border, mm
+  double pieceHeight_ = 0.0;      ///< greatest value of the own field of the piece at hand
 };
 
 }  // namespace

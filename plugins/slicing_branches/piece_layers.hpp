@@ -3,6 +3,7 @@
 #pragma once
 
 #include "wcam/plugin/slicing.hpp"
+#include "wcam/toolpath/layer_levels.hpp"
 
 #include "piece_order.hpp"
 
@@ -43,10 +44,9 @@ PieceMethods parsePieceMethods(const std::string& text);
 
 struct PieceOptions {
   Field field = Field::Height;
-  double step = 2.0;
-  double firstLayer = 1.0;   ///< in steps
-  double leastBranch = 2.0;  ///< what spans less of the field makes no branch, mm
-  double edge = 0.0;         ///< mesh edge length of fields on vertices; 0: from the step
+  toolpath::LayerWish layers;  ///< of heights, the step fits already
+  double leastBranch = 2.0;    ///< what spans less of the field makes no branch, mm
+  double edge = 0.0;           ///< mesh edge length of fields on vertices; 0: from the step
   PieceMethods methods;
 };
 

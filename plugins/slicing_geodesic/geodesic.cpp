@@ -193,7 +193,7 @@ void registerComponents(plugin::Registrar& registrar) {
                         .name = "Geodesic distance from the base",
                         .summary = "Curved layers at a constant distance along the surface from "
                                    "the border on which the part stands.",
-                        .version = 2,
+                        .version = 3,
                         .params = Params::schema().params()},
                        [] { return std::make_unique<GeodesicSlicing>(); });
 }

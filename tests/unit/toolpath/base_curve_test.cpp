@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace wcam::toolpath {
 namespace {
@@ -102,6 +104,107 @@ TEST(BaseCurve, PartThroughTheSubstrateBeginsThere) {
   for (std::size_t v = 0; v < distance.size(); ++v) {
     EXPECT_NEAR(distance[v], tube->mesh.vertices[v].z() - 13.3, 0.02);
   }
+}
+
+/// A sheet in the plane y = 0 below a profile z(x), 80 mm wide, in columns of 2 mm.
+TriangleMesh sheetBelow(const std::function<double(double)>& height, double bottom = 0.0) {
+  TriangleMesh mesh;
+  constexpr int kColumns = 40;
+  constexpr int kRows = 20;
+  for (int i = 0; i <= kColumns; ++i) {
+    const double x = 2.0 * i - kColumns;
+    for (int j = 0; j <= kRows; ++j) {
+      mesh.vertices.emplace_back(x, 0.0, bottom + (height(x) - bottom) * j / kRows);
+    }
+  }
+  const auto id = [](int i, int j) { return static_cast<std::uint32_t>(i * (kRows + 1) + j); };
+  for (int i = 0; i < kColumns; ++i) {
+    for (int j = 0; j < kRows; ++j) {
+      mesh.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      mesh.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+TEST(BaseCurve, OpenSheetStandsOnTheStretchOfItsBorder) {
+  const auto sheet = test::meshSurface(sheetBelow([](double x) { return 30.0 + 0.1 * x; }));
+  JobContext context;
+  const PartBase base = findBase(*sheet, *test::plate(), context);
+  ASSERT_EQ(base.lower.size(), 1U);
+  EXPECT_FALSE(base.lower[0].closed);
+  EXPECT_NEAR(base.lower[0].length, 80.0, 1e-9);
+  EXPECT_EQ(base.lower[0].vertices.size(), base.lower[0].halfEdges.size() + 1);
+  EXPECT_EQ(base.lower[0].highest, 0.0);
+  ASSERT_EQ(base.upper.size(), 1U);
+  EXPECT_FALSE(base.upper[0].closed);
+  EXPECT_NEAR(base.upper[0].length, std::hypot(80.0, 8.0), 1e-9);
+  EXPECT_NEAR(base.upper[0].mean, 30.0, 1e-9);
+  EXPECT_TRUE(context.diagnostics().items().empty());
+  const std::vector<double> distance = distanceFromBase(*sheet, base);
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    EXPECT_NEAR(distance[v], sheet->mesh.vertices[v].z(),
+                0.3);  // of the propagation on skewed triangles
+  }
+}
+
+TEST(BaseCurve, OpenSheetThroughTheSubstrate) {
+  const auto sheet = test::meshSurface(sheetBelow([](double) { return 30.0; }, -10.0));
+  const PartBase base = findBase(*sheet, *test::plate());
+  EXPECT_EQ(base.kind, std::vector<BaseKind>{BaseKind::Intersection});
+  ASSERT_EQ(base.lower.size(), 1U);
+  EXPECT_NEAR(base.lower[0].length, 80.0, 1e-9);
+  ASSERT_EQ(base.upper.size(), 1U);
+  EXPECT_NEAR(base.upper[0].length, 80.0, 1e-9);
+  EXPECT_NEAR(base.upper[0].lowest, 30.0, 1e-9);
+}
+
+TEST(BaseCurve, SheetsWithoutATop) {
+  // A pointed one and a round one: the border beyond the base is only sides.
+  for (const auto& profile : std::vector<std::function<double(double)>>{
+           [](double x) { return 40.0 - 0.9 * std::abs(x) + 1.0; },
+           [](double x) { return std::sqrt(std::max(0.0, 1600.0 - x * x)) + 5.0; }}) {
+    const auto sheet = test::meshSurface(sheetBelow(profile));
+    const PartBase base = findBase(*sheet, *test::plate());
+    ASSERT_EQ(base.lower.size(), 1U);
+    EXPECT_NEAR(base.lower[0].length, 80.0, 1e-9);
+    const std::vector<double> distance = distanceFromBase(*sheet, base);
+    for (std::size_t v = 0; v < distance.size(); ++v) {
+      EXPECT_NEAR(distance[v], sheet->mesh.vertices[v].z(),
+                  0.3);  // of the propagation on skewed triangles
+    }
+  }
+}
+
+TEST(BaseCurve, SheetOnTwoFeet) {
+  // A bridge: cut out below, 20 mm of feet on both sides.
+  TriangleMesh bridge = sheetBelow([](double) { return 40.0; });
+  for (Vec3& p : bridge.vertices) {
+    if (std::abs(p.x()) < 19.0) {
+      p.z() = 20.0 + 0.5 * p.z();
+    }
+  }
+  const auto sheet = test::meshSurface(std::move(bridge));
+  JobContext context;
+  const PartBase base = findBase(*sheet, *test::plate(), context);
+  ASSERT_EQ(base.lower.size(), 2U);
+  EXPECT_NEAR(base.lower[0].length + base.lower[1].length, 40.0, 1e-9);
+  ASSERT_EQ(context.diagnostics().items().size(), 1U);
+  EXPECT_EQ(context.diagnostics().items()[0].code, "slicing.several_lower_borders");
+}
+
+TEST(BaseCurve, SlantedRimThatTouchesThePlateStaysOneBorder) {
+  TriangleMesh tube = test::tubeMesh(20, 60, 360, 30);
+  for (Vec3& p : tube.vertices) {
+    p.z() += 0.05 * (20.0 + p.x()) * (60.0 - p.z()) / 60.0;
+  }
+  const auto surface = test::meshSurface(std::move(tube));
+  JobContext context;
+  const PartBase base = findBase(*surface, *test::plate(), context);
+  ASSERT_EQ(base.lower.size(), 1U);
+  EXPECT_TRUE(base.lower[0].closed);
+  ASSERT_EQ(context.diagnostics().items().size(), 1U);
+  EXPECT_EQ(context.diagnostics().items()[0].code, "slicing.base_off_substrate");
 }
 
 TEST(BaseCurve, ClosedBodyStandsOnItsFlatBottom) {

@@ -13,7 +13,7 @@
 
 namespace wcam::toolpath {
 
-/// A border of the part, or a curve in which it meets the substrate.
+/// A border of the part or a stretch of one, or a curve in which it meets the substrate.
 struct BaseLoop {
   bool closed = true;
   /// In the direction of the border's half-edges (material on the left seen from outside);
@@ -52,8 +52,9 @@ struct PartBase {
 inline constexpr double kSubstrateContact = 0.05;
 
 /// Finds the base of each connected piece of a part: the curve in which it passes through the
-/// substrate, else the borders that lie on it, else the lowest border, else (closed bodies) the
-/// contact with the substrate.
+/// substrate, else the borders or, of open sheets, the stretches of borders that lie on it, else
+/// the lowest border, else (closed bodies) the contact with the substrate. The upper border of an
+/// open sheet is the stretch of its border between its sides.
 ///
 /// Findings: slicing.base_off_substrate (the lowest border does not lie on the substrate: how far,
 /// where), slicing.several_lower_borders (layers grow from several borders of one piece and will
