@@ -4,6 +4,7 @@
 #include "command_line.hpp"
 
 #include "wcam/base/text.hpp"
+#include "wcam/version.h"
 
 namespace wcam::cli {
 

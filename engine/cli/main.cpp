@@ -4,6 +4,7 @@
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/parallel.hpp"
+#include "wcam/plugin/crash_notice.hpp"
 #include "wcam/project/report.hpp"
 
 #include "command_line.hpp"
@@ -19,14 +20,21 @@ using namespace wcam;
 
 constexpr int kInternal = 2;
 
-/// A plugin that the user names and that is refused is told, even when the run does not need it.
+/// A plugin that the user names and that is refused, or that takes the place of another, is
+/// reported even when the run does not need it.
 void tellRefusedPlugins(const plugin::PluginHost& plugins, const cli::Console& console) {
-  plugins.loadAll();
+  plugins.loadRequested();
   for (const plugin::PluginReport& report : plugins.reports()) {
     if (report.origin == plugin::PluginOrigin::Requested &&
         report.verdict == plugin::PluginVerdict::Refused) {
       console.complain("camcli: warning: the plugin " + pathText(report.path) +
                        " is refused: " + report.reason.str());
+    }
+    const bool replaced = report.verdict == plugin::PluginVerdict::Shadowed ||
+                          report.verdict == plugin::PluginVerdict::Refused;
+    if (report.origin == plugin::PluginOrigin::Installed && replaced) {
+      console.complain("camcli: warning: the installed plugin " + report.id +
+                       " is not used: " + report.reason.str());
     }
   }
 }
@@ -92,6 +100,7 @@ int guarded(int argc, char** argv, const std::stop_token& stop, cli::Console& co
 
 int main(int argc, char** argv) {
   cli::prepareProcess();
+  plugin::nameCrashes("camcli");
   const cli::InterruptGuard interrupt;
   cli::Console console(false);
   try {

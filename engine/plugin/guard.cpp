@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wcam/base/remedy.hpp"
+#include "wcam/plugin/crash_notice.hpp"
 
 #include "library.hpp"
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <mutex>
 #include <set>
 
 namespace wcam::plugin {
@@ -20,7 +26,9 @@ constexpr std::size_t kMaxFileName = 255;
 class Guard {
 public:
   Guard(const std::string& plugin, const std::string& component)
-      : place_(text("plugin %1, component %2", {plugin, component})) {}
+      : plugin_(plugin),
+        component_(component),
+        place_(text("plugin %1, component %2", {plugin, component})) {}
 
   [[noreturn]] void fail(const Text& message, const Text& hint = {}) const {
     throw Error(ErrorCode::JobFailed, message, place_, hint);
@@ -29,6 +37,7 @@ public:
   /// Runs a call into the plugin. A cancel passes only when it was asked for.
   template <class Call>
   auto run(const JobContext& context, const Call& call) const {
+    const PluginCall running(plugin_, component_);
     try {
       return call();
     } catch (const CancelledError&) {
@@ -48,8 +57,92 @@ public:
   }
 
 private:
+  std::string plugin_;
+  std::string component_;
   Text place_;
 };
+
+/// Takes what is written to standard output while it lives, so that it does not end up in the
+/// report that a script reads there.
+class CapturedOutput {
+public:
+  CapturedOutput() : lock_(mutex()), file_(std::tmpfile()) {
+    std::fflush(stdout);
+    own_ = file_ != nullptr ? ::dup(STDOUT_FILENO) : -1;
+    if (own_ >= 0) {
+      ::dup2(::fileno(file_), STDOUT_FILENO);
+    }
+  }
+
+  ~CapturedOutput() {
+    restore();
+    if (file_ != nullptr) {
+      std::fclose(file_);
+    }
+  }
+
+  CapturedOutput(const CapturedOutput&) = delete;
+  CapturedOutput& operator=(const CapturedOutput&) = delete;
+
+  /// Ends the capture. @return the first characters
+  std::string restore() {
+    if (own_ < 0) {
+      return {};
+    }
+    std::cout.flush();
+    std::fflush(stdout);
+    ::dup2(own_, STDOUT_FILENO);
+    ::close(own_);
+    own_ = -1;
+    std::array<char, 80> text{};
+    std::rewind(file_);
+    return {text.data(), std::fread(text.data(), 1, text.size(), file_)};
+  }
+
+private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+
+  std::lock_guard<std::mutex> lock_;
+  std::FILE* file_;
+  int own_ = -1;
+};
+
+/// Line (from 1) of the first "nan" or "inf" that stands for a number; 0 when there is none. Behind
+/// a word of three letters or more it is a name ("Operation inf").
+std::size_t lineWithoutNumber(std::string_view text) {
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto part = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+  };
+  constexpr std::size_t kLength = 3;
+  std::size_t first = std::string_view::npos;
+  for (const std::string_view word : {"nan", "inf"}) {
+    for (std::size_t at = text.find(word); at < first; at = text.find(word, at + 1)) {
+      if ((at > 0 && part(text[at - 1])) ||
+          (at + kLength < text.size() && part(text[at + kLength]))) {
+        continue;
+      }
+      std::size_t end = at;
+      while (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '-' || text[end - 1] == '+')) {
+        --end;
+      }
+      std::size_t begin = end;
+      while (begin > 0 && letter(text[begin - 1])) {
+        --begin;
+      }
+      if (end - begin < kLength) {
+        first = at;
+      }
+    }
+  }
+  return first == std::string_view::npos
+             ? 0
+             : 1 + static_cast<std::size_t>(std::count(
+                       text.begin(), text.begin() + static_cast<std::ptrdiff_t>(first), '\n'));
+}
 
 Text contourProblem(const toolpath::Contour& contour, std::size_t parts) {
   if (contour.part < 0 || static_cast<std::size_t>(contour.part) >= parts) {
@@ -141,8 +234,15 @@ public:
   [[nodiscard]] std::vector<OutputFile> post(const program::Program& program,
                                              const Value& params,
                                              const JobContext& context) const override {
+    CapturedOutput output;
     std::vector<OutputFile> files =
         guard_.run(context, [&] { return inner_->post(program, params, context); });
+    if (const std::string printed = output.restore(); !printed.empty()) {
+      guard_.fail(text("writes to standard output, beginning with '%1'",
+                       {printed.substr(0, printed.find('\n'))}),
+                  "report this to the vendor of the plugin: a program belongs into the files that "
+                  "it returns");
+    }
     if (files.empty()) {
       guard_.fail("wrote no file");
     }
@@ -152,6 +252,13 @@ public:
       const Text problem = fileNameProblem(file.name);
       if (!problem.empty()) {
         guard_.fail(text("output file name '%1' %2", {file.name, problem}));
+      }
+      if (file.content.empty()) {
+        guard_.fail(text("output file '%1' is empty", {file.name}));
+      }
+      if (const std::size_t line = lineWithoutNumber(file.content); line > 0) {
+        guard_.fail(text("output file '%1' has a value that is no number (nan or inf) in line %2",
+                         {file.name, std::to_string(line)}));
       }
       if (!names.insert(lowerAscii(file.name)).second) {
         guard_.fail(text("output file name '%1' appears twice (case is ignored)", {file.name}));

@@ -8,6 +8,7 @@
 #include "wcam/plugin/locations.hpp"
 
 #include "library.hpp"
+#include "trial.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -88,6 +89,11 @@ Candidate requestedCandidate(const fs::path& file) {
 /// Manifests by name, then libraries that no manifest names.
 std::vector<Candidate> scanFolder(const PluginSearch::Folder& folder) {
   std::error_code error;
+  if (folder.path.is_relative()) {
+    return {refusedCandidate(folder.path, folder.origin,
+                             "the folder depends on where the program is started; name its whole "
+                             "path")};
+  }
   if (!fs::is_directory(folder.path, error)) {
     // The user's and the installed folder need not exist; one that is named should.
     return folder.origin == PluginOrigin::Environment
@@ -209,6 +215,8 @@ struct PluginHost::State {
 
   void resolve();
   void load(Candidate& candidate);
+  template <class Wanted>
+  void loadEvery(const Wanted& wanted);
   Candidate* owner(std::string_view id, ComponentKind kind);
   Candidate& loadedOwner(std::string_view id, ComponentKind kind);
   [[noreturn]] void missing(std::string_view id, ComponentKind kind) const;
@@ -221,28 +229,59 @@ struct PluginHost::State {
       const Make& make);
 };
 
-/// Decides who wins each plugin id and each component id, in search order.
+/// The order in which candidates win ids: that of the search, save that what is installed comes
+/// before folders of the user: only `--plugin` puts something else in its place.
+std::vector<Candidate*> byRank(std::vector<Candidate>& candidates) {
+  std::vector<Candidate*> ranked;
+  for (Candidate& candidate : candidates) {
+    ranked.push_back(&candidate);
+  }
+  const auto rank = [](const Candidate* candidate) {
+    return candidate->origin == PluginOrigin::Requested   ? 0
+           : candidate->origin == PluginOrigin::Installed ? 1
+                                                          : 2;
+  };
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [&rank](const Candidate* a, const Candidate* b) { return rank(a) < rank(b); });
+  return ranked;
+}
+
+/// Decides who wins each plugin id and each component id.
 void PluginHost::State::resolve() {
   std::map<std::string, const Candidate*> plugins;
   std::map<std::string, const Candidate*> components;
-  for (Candidate& candidate : candidates) {
+  const auto inPlaceOf = [](const Candidate& candidate, const Candidate& winner) {
+    return winner.origin == PluginOrigin::Installed && candidate.origin != PluginOrigin::Installed;
+  };
+  for (Candidate* const ranked : byRank(candidates)) {
+    Candidate& candidate = *ranked;
     candidate.shadow = {};
     if (!candidate.refusal.empty()) {
       continue;
     }
     const auto [first, won] = plugins.emplace(candidate.manifest->id, &candidate);
-    candidate.shadowed = !won;
+    candidate.shadowed = !won && !inPlaceOf(candidate, *first->second);
     if (!won) {
       candidate.shadow =
-          text("another plugin of this id comes first: %1", {pathText(first->second->path)});
+          candidate.shadowed
+              ? text("another plugin of this id comes first: %1", {pathText(first->second->path)})
+              : text(
+                    "it would take the place of the installed plugin %1; name it with --plugin to "
+                    "use it",
+                    {pathText(first->second->path)});
       continue;
     }
     for (const ComponentEntry& entry : candidate.manifest->components) {
       const auto found = components.find(entry.id);
       if (found != components.end()) {
         candidate.shadow =
-            text("its component '%1' is already provided by plugin %2 (%3)",
-                 {entry.id, found->second->manifest->id, pathText(found->second->path)});
+            inPlaceOf(candidate, *found->second)
+                ? text(
+                      "its component '%1' would take the place of that of the installed plugin %2; "
+                      "name it with --plugin to use it",
+                      {entry.id, found->second->manifest->id})
+                : text("its component '%1' is already provided by plugin %2 (%3)",
+                       {entry.id, found->second->manifest->id, pathText(found->second->path)});
       }
     }
     if (!candidate.shadow.empty()) {
@@ -251,6 +290,26 @@ void PluginHost::State::resolve() {
     }
     for (const ComponentEntry& entry : candidate.manifest->components) {
       components.emplace(entry.id, &candidate);
+    }
+  }
+}
+
+template <class Wanted>
+void PluginHost::State::loadEvery(const Wanted& wanted) {
+  const std::lock_guard lock(mutex);
+  // A refusal may promote a candidate that was shadowed: look again until nothing changes.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Candidate& candidate : candidates) {
+      if (candidate.usable() && !candidate.loaded && wanted(candidate)) {
+        changed = true;
+        candidate.refusal = trialProblem(candidate.path);
+        if (candidate.refusal.empty()) {
+          load(candidate);
+        } else {
+          resolve();
+        }
+      }
     }
   }
 }
@@ -417,17 +476,12 @@ std::vector<ComponentEntry> PluginHost::components() const {
 }
 
 void PluginHost::loadAll() const {
-  const std::lock_guard lock(state_->mutex);
-  // A refusal may promote a candidate that was shadowed: look again until nothing changes.
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (Candidate& candidate : state_->candidates) {
-      if (candidate.usable() && !candidate.loaded) {
-        state_->load(candidate);
-        changed = true;
-      }
-    }
-  }
+  state_->loadEvery([](const Candidate&) { return true; });
+}
+
+void PluginHost::loadRequested() const {
+  state_->loadEvery(
+      [](const Candidate& candidate) { return candidate.origin == PluginOrigin::Requested; });
 }
 
 std::shared_ptr<const SlicingComponent> PluginHost::findSlicing(std::string_view id) const {

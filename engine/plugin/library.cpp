@@ -5,8 +5,10 @@
 
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/plugin/crash_notice.hpp"
 #include "wcam/plugin/plugin.hpp"
 
+#include "trust.hpp"
 #include <dlfcn.h>
 #include <elf.h>
 
@@ -201,7 +203,11 @@ LoadedComponents loadLibrary(const Manifest& manifest, const std::filesystem::pa
   if (!std::filesystem::is_regular_file(library, error)) {
     refuse(text("its library %1 does not exist", {pathText(library)}));
   }
+  if (const Text problem = trustProblem(library); !problem.empty()) {
+    refuse(text("its library is not loaded: %1", {problem}));
+  }
   checkElf(library);
+  const PluginCall loading(manifest.id, {});
   void* handle = dlopen(std::filesystem::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     refuse(text("its library cannot be loaded: %1", {textOf(dlerror())}));

@@ -4,6 +4,8 @@
 #include "application.hpp"
 
 #include "wcam/base/file_io.hpp"
+#include "wcam/plugin/crash_notice.hpp"
+#include "wcam/version.h"
 
 #include "end_signals.hpp"
 #include "main_window.hpp"
@@ -54,6 +56,7 @@ void afterStartup(MainWindow& window, const std::function<void()>& then) {
 }  // namespace
 
 void prepareApplication() {
+  plugin::nameCrashes("wcam");
   QCoreApplication::setOrganizationName("wcam");
   QCoreApplication::setApplicationName("wcam");
   QCoreApplication::setApplicationVersion(WCAM_VERSION);

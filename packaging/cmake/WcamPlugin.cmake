@@ -20,13 +20,14 @@ function(_wcam_json_text output text)
 endfunction()
 
 # wcam_add_plugin(target
-#   ID com.acme.post.demo NAME "Demo post-processor" VERSION 1.0.0
-#   [VENDOR "Acme"] [LICENCE GPL-3.0-or-later]
+#   ID com.acme.post.demo NAME "Demo post-processor" VERSION 1.0.0 VENDOR "Acme"
+#   [LICENCE GPL-3.0-or-later]
 #   SOURCES demo.cpp ...
 #   COMPONENTS "post:com.acme.post.demo:Demo" ...      kind:id:name, kind = slicing or post
 #   [LIBRARIES ...])
 #
-# Builds <ID>.so and writes its manifest <ID>.json beside it, in WCAM_PLUGIN_OUTPUT_DIR. Default: within
+# Id and version are said here alone: WCAM_PLUGIN() takes them from the compiler's command line. Without a build
+# type the library is optimised (Release). Builds <ID>.so and writes its manifest <ID>.json beside it, in WCAM_PLUGIN_OUTPUT_DIR. Default: within
 # WCAM the plugin folder of the build tree; elsewhere <build>/wcam-plugins, which can be named in
 # WCAM_PLUGIN_PATH. They are installed to WCAM_PLUGIN_INSTALL_DIR (default <libdir>/wcam/plugins/<ABI>);
 # when that is set but empty they are not.
@@ -40,8 +41,10 @@ function(wcam_add_plugin target)
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "wcam_add_plugin(${target}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
-  if(NOT arg_VENDOR)
+  if(NOT arg_VENDOR AND TARGET wcam_engine)
     set(arg_VENDOR "The WCAM developers")
+  elseif(NOT arg_VENDOR)
+    message(FATAL_ERROR "wcam_add_plugin(${target}): VENDOR is missing: who makes the plugin")
   endif()
   if(NOT arg_LICENCE)
     set(arg_LICENCE "GPL-3.0-or-later")
@@ -96,6 +99,10 @@ ${components}
     target_link_libraries(${target} PRIVATE wcam_options)
   endif()
   target_compile_features(${target} PRIVATE cxx_std_20)
+  target_compile_definitions(${target} PRIVATE WCAM_PLUGIN_ID="${arg_ID}" WCAM_PLUGIN_VERSION="${arg_VERSION}")
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    target_compile_options(${target} PRIVATE -O2)
+  endif()
   # Results must not depend on the processor.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   set_target_properties(${target} PROPERTIES

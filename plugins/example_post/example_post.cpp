@@ -78,4 +78,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.example.post.csv", "1.0.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

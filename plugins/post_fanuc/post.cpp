@@ -121,4 +121,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.post.fanuc", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -150,4 +150,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.post.kuka", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

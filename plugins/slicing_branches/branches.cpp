@@ -169,4 +169,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.branches", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

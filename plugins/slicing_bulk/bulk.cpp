@@ -396,4 +396,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.bulk", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -376,4 +376,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.cladding", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -170,4 +170,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.constant", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

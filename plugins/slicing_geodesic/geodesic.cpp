@@ -200,4 +200,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.geodesic", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -306,4 +306,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.guide", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

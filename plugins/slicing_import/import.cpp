@@ -145,4 +145,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.import", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

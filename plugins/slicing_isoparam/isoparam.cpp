@@ -188,4 +188,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.isoparam", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

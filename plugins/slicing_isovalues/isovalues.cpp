@@ -149,4 +149,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.isovalues", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -138,4 +138,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.planar", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

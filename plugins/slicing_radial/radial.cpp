@@ -545,4 +545,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.radial", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -450,4 +450,4 @@ void registerComponents(plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.slicing.spiral", "0.1.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -95,6 +95,31 @@ TEST_F(Plugins, PostThatThrowsFailsItsJob) {
   }
 }
 
+TEST_F(Plugins, PluginThatEndsTheProgramIsNamed) {
+  for (const auto& [id, what] :
+       {std::pair{"probe.crashes", " crashed"}, std::pair{"probe.aborts", " gave up (abort)"},
+        std::pair{"probe.exits", " ended the program (exit)"}}) {
+    const ProcessResult result =
+        camcli({"--project", elbow_, "--output", "out", "--plugin", probe("misbehaving"), "--post",
+                id, "--operation", "planar"});
+    EXPECT_NE(result.exitCode, 0) << id;
+    EXPECT_THAT(result.err,
+                HasSubstr("camcli: error: plugin org.wcam.probe.misbehaving, component " +
+                          std::string(id) + what));
+    EXPECT_TRUE(filesBelow(folder_ / "out").empty());
+  }
+}
+
+TEST_F(Plugins, ReplacingAnInstalledComponentIsAnnounced) {
+  const ProcessResult result = camcli({"--project", elbow_, "--output", "out", "--plugin",
+                                       probe("replacing"), "--operation", "planar"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("camcli: warning: the installed plugin org.wcam.post.fanuc is "
+                                    "not used: its component 'wcam.post.fanuc' is already provided "
+                                    "by plugin org.wcam.probe.replacing"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/fanuc/another.ls"));
+}
+
 TEST_F(Plugins, PostThatPretendsACancelIsNoCancel) {
   const ProcessResult result = camcli({"--project", elbow_, "--output", "out", "--plugin",
                                        probe("misbehaving"), "--post", "probe.throws_cancel"});

@@ -18,4 +18,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.probe.bad_schema", "1.0.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

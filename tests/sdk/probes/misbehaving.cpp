@@ -5,6 +5,9 @@
 #include "probe.hpp"
 
 #include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -83,6 +86,20 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
   });
   probe::addPost(registrar, "probe.repetition", changesWithEachCall);
   probe::addPost(registrar, "probe.slow_cancel", ignoresCancel);
+  probe::addPost(registrar, "probe.names", [](const JobContext&) {
+    return Files{{"a.txt", "!Operation inf\n!Project nan\nfinance = 1 ; info, nano\n"}};
+  });
+  probe::addPost(registrar, "probe.empty", [](const JobContext&) { return Files{{"a.txt", ""}}; });
+  probe::addPost(registrar, "probe.prints", [](const JobContext&) {
+    std::puts("G1 X1");
+    return Files{{"a.txt", "x"}};
+  });
+  probe::addPost(registrar, "probe.crashes", [](const JobContext&) {
+    std::raise(SIGSEGV);
+    return Files{{"a.txt", "x"}};
+  });
+  probe::addPost(registrar, "probe.aborts", [](const JobContext&) -> Files { std::abort(); });
+  probe::addPost(registrar, "probe.exits", [](const JobContext&) -> Files { std::exit(0); });
   probe::addPost(registrar, "probe.nan", [](const JobContext&) {
     return Files{{"a.txt", "X nan"}};
   });
@@ -97,4 +114,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.probe.misbehaving", "1.0.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -13,4 +13,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.probe.throwing_factory", "1.0.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -12,4 +12,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.probe.throwing_register", "1.0.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

@@ -11,4 +11,4 @@ void registerComponents(wcam::plugin::Registrar& registrar) {
 
 }  // namespace
 
-WCAM_PLUGIN("org.wcam.probe.unregistered", "1.0.0", registerComponents);
+WCAM_PLUGIN(registerComponents);

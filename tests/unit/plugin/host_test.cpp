@@ -125,7 +125,7 @@ TEST(PluginHost, OneBrokenPluginDoesNotHarmTheOthers) {
     EXPECT_EQ(report.reason.empty(), report.verdict == PluginVerdict::Loaded) << report.id;
   }
   // A factory that throws is found out only when its component is asked for.
-  EXPECT_EQ(refused, 12U);
+  EXPECT_EQ(refused, 15U);
   EXPECT_NE(host.findPost("wcam.post.fanuc"), nullptr);
   EXPECT_NE(host.findSlicing("wcam.slicing.planar"), nullptr);
 }
@@ -270,6 +270,60 @@ TEST(PluginHost, RequestedFilesComeFirst) {
   EXPECT_THAT(PluginHost(search).reports()[0].reason, HasSubstr("does not exist"));
 }
 
+TEST(PluginHost, OnlyARequestedPluginTakesThePlaceOfAnInstalledOne) {
+  const TestFolder folder;
+  copyPlugin(kBuiltIn, "org.example.post.csv", folder / "same");
+  copyPlugin(kProbes, "org.wcam.probe.replacing", folder / "other");
+  PluginSearch search = folders({folder / "same", folder / "other"});
+  search.folders.push_back({kBuiltIn, PluginOrigin::Installed});
+  const PluginHost host(search);
+  EXPECT_EQ(host.reports()[0].verdict, PluginVerdict::Refused);
+  EXPECT_THAT(host.reports()[0].reason, HasSubstr("would take the place of the installed plugin"));
+  EXPECT_EQ(host.reports()[1].verdict, PluginVerdict::Refused);
+  EXPECT_THAT(host.reports()[1].reason, HasSubstr("its component 'wcam.post.fanuc' would take"));
+  EXPECT_EQ(host.findPost("wcam.post.fanuc")->plugin, "org.wcam.post.fanuc");
+  search.files = {folder / "other" / "org.wcam.probe.replacing.so"};
+  const PluginHost asked(search);
+  EXPECT_EQ(asked.findPost("wcam.post.fanuc")->plugin, "org.wcam.probe.replacing");
+}
+
+TEST(PluginHost, WhatOthersCanWriteIsNotLoaded) {
+  const TestFolder folder;
+  const std::string name = "org.example.post.csv";
+  copyPlugin(kBuiltIn, name, folder / "a");
+  const auto reasonOf = [&](const fs::path& where) {
+    const PluginHost host(folders({where}));
+    return errorOf(ErrorCode::PluginRefused, [&] { (void)host.findPost("example.post.csv"); });
+  };
+  EXPECT_NE(PluginHost(folders({folder / "a"})).findPost("example.post.csv"), nullptr);
+  fs::permissions(folder / "a", fs::perms::others_write, fs::perm_options::add);
+  EXPECT_THAT(reasonOf(folder / "a"), HasSubstr("everybody can write " + (folder / "a").string()));
+  fs::permissions(folder / "a", fs::perms::others_write, fs::perm_options::remove);
+  fs::permissions(folder / "a" / (name + ".so"), fs::perms::others_write, fs::perm_options::add);
+  EXPECT_THAT(reasonOf(folder / "a"), HasSubstr(name + ".so; take that right away"));
+  // A link to a library elsewhere; a folder below one that everybody can change.
+  createFolder(folder / "b");
+  fs::copy_file(folder / "a" / (name + ".json"), folder / "b" / (name + ".json"));
+  fs::create_symlink(kBuiltIn / (name + ".so"), folder / "b" / (name + ".so"));
+  EXPECT_THAT(reasonOf(folder / "b"), HasSubstr("a link out of its folder"));
+  copyPlugin(kBuiltIn, name, folder / "open" / "c");
+  fs::permissions(folder / "open", fs::perms::others_write, fs::perm_options::add);
+  EXPECT_THAT(reasonOf(folder / "open" / "c"), HasSubstr("everybody can write"));
+  // A folder that depends on where the program is started.
+  const PluginHost relative(folders({"a"}));
+  EXPECT_THAT(relative.reports()[0].reason, HasSubstr("name its whole path"));
+}
+
+TEST(PluginHost, ALibraryThatEndsTheProgramIsTriedApart) {
+  for (const auto& [name, reason] : {std::pair{"crashing_constructor", "loading it crashes"},
+                                     std::pair{"exiting_constructor", "ends the program"}}) {
+    const PluginHost host(only({probe(name)}));
+    host.loadAll();
+    EXPECT_EQ(host.reports()[0].verdict, PluginVerdict::Refused);
+    EXPECT_THAT(host.reports()[0].reason, HasSubstr(reason));
+  }
+}
+
 TEST(PluginHost, UnknownComponentsAreNamedWithTheNearestAndThePlaces) {
   const PluginHost host(folders({kBuiltIn}));
   const std::string text =
@@ -320,6 +374,24 @@ TEST(Locations, BuildTreeHasTheInstalledLayout) {
   EXPECT_TRUE(fs::exists(engineFolder() / "libwcam-engine.so"));
   EXPECT_TRUE(fs::exists(kBuiltIn / "org.wcam.post.fanuc.json"));
   EXPECT_TRUE(fs::exists(dataFolder() / "cells"));
+}
+
+TEST(Guard, RefusesProgramsThatAreNone) {
+  const PluginHost host(only({probe("misbehaving")}));
+  const auto text = [&](const std::string& id) {
+    return errorOf(ErrorCode::JobFailed, [&] {
+      (void)host.findPost(id)->post->post(wcam::testing::sampleProgram(), Value::object(),
+                                          JobContext());
+    });
+  };
+  EXPECT_THAT(text("probe.empty"), HasSubstr("output file 'a.txt' is empty"));
+  EXPECT_THAT(text("probe.prints"), HasSubstr("writes to standard output, beginning with 'G1 X1'"));
+  EXPECT_THAT(text("probe.nan"), HasSubstr("no number (nan or inf) in line 1"));
+  // Names and parts of words are none.
+  EXPECT_EQ(host.findPost("probe.names")
+                ->post->post(wcam::testing::sampleProgram(), Value::object(), JobContext())
+                .size(),
+            1U);
 }
 
 TEST(Guard, TurnsEveryExceptionIntoAJobFailure) {

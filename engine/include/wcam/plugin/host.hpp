@@ -81,8 +81,8 @@ struct PostComponent {
 ///
 /// The constructor reads manifests only. A library is loaded when one of its components is asked
 /// for, and stays loaded until the process ends. Of several plugins with one id the first in search
-/// order wins; a refused one never wins. No broken plugin stops the start: see reports().
-/// All members are thread-safe.
+/// order wins, save that only a requested one wins over an installed one; a refused one never wins.
+/// No broken plugin stops the start: see reports(). All members are thread-safe.
 class PluginHost {
 public:
   explicit PluginHost(const PluginSearch& search = defaultPluginSearch());
@@ -94,8 +94,11 @@ public:
   [[nodiscard]] std::vector<PluginReport> reports() const;
   /// Components of all plugins that are available or loaded, by id. Loads nothing.
   [[nodiscard]] std::vector<ComponentEntry> components() const;
-  /// Loads every available library, so that reports() tells the final verdicts.
+  /// Loads every available library, so that reports() has the final verdicts. Each is tried in a
+  /// process of its own first: one that ends the program is refused.
   void loadAll() const;
+  /// Likewise those of `--plugin` alone.
+  void loadRequested() const;
 
   /// @throws Error(PluginMissing) with the nearest name and the places searched,
   ///   Error(PluginRefused) with the reason when the plugins that announce it are refused
