@@ -351,6 +351,15 @@ Candidate& PluginHost::State::loadedOwner(std::string_view id, ComponentKind kin
   missing(id, kind);
 }
 
+/// "acme.com" for com.acme.post.demo; empty for ids that begin with no top-level domain.
+std::string domainOf(std::string_view id) {
+  const std::vector<std::string> labels = splitText(id, '.');
+  constexpr std::size_t kLongestCountry = 3;
+  return labels.size() < 3 || labels[0].size() > kLongestCountry || labels[0] == "wcam"
+             ? std::string()
+             : labels[1] + "." + labels[0];
+}
+
 void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
   std::vector<Text> reasons;
   std::vector<std::string> names;
@@ -393,6 +402,9 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
     hint = text("it is of kind %1; %2", {otherKind, hint});
   } else if (const auto near = nearestName(id, names)) {
     hint = text("did you mean '%1'? %2", {*near, hint});
+  }
+  if (const std::string maker = domainOf(id); !maker.empty()) {
+    hint = text("its maker is the owner of %1; %2", {maker, hint});
   }
   throw Error(ErrorCode::PluginMissing,
               text(slicing ? "no plugin provides the strategy '%1'"

@@ -168,6 +168,36 @@ OperationError::~OperationError() = default;
 
 namespace {
 
+/// Components that no plugin provides. They stop what needs them, and a project only when nothing
+/// else is left.
+class MissingComponents {
+public:
+  /// @return nothing when the component is missing
+  template <class Find>
+  auto unless(const Find& find) -> decltype(find()) {
+    try {
+      return find();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::PluginMissing && error.code() != ErrorCode::PluginRefused) {
+        throw;
+      }
+      ++count_;
+      first_ = first_ ? first_ : std::optional(error);
+      return nullptr;
+    }
+  }
+
+  void throwIfAll(std::size_t all) const {
+    if (all > 0 && count_ == all) {
+      throw Error(*first_);
+    }
+  }
+
+private:
+  std::size_t count_ = 0;
+  std::optional<Error> first_;
+};
+
 /// Joint values, frames and configurations of one make mean something else on another.
 void checkController(const plugin::ComponentInfo& post,
                      const program::Program& program,
@@ -222,6 +252,8 @@ Staged<T> Pipeline::stage(const std::string& name,
 std::vector<Diagnostic> Pipeline::validate() const {
   const Project& project = document_.project();
   std::vector<ParamProblem> problems;
+  MissingComponents strategies;
+  MissingComponents posts;
   for (std::size_t i = 0; i < project.parts.size(); ++i) {
     checkParams(io::importOptionsSchema().params(), project.parts[i].import,
                 "parts[" + std::to_string(i) + "].import", problems);
@@ -233,8 +265,8 @@ std::vector<Diagnostic> Pipeline::validate() const {
   for (std::size_t i = 0; i < project.operations.size(); ++i) {
     const Operation& operation = project.operations[i];
     const std::string path = "operations[" + std::to_string(i) + "]";
-    const auto strategy = plugins_->findSlicing(operation.strategy);
-    checkParams(strategy->info.params, operation.params, path + ".params", problems);
+    const auto strategy =
+        strategies.unless([&] { return plugins_->findSlicing(operation.strategy); });
     checkParams(toolpath::PathParams::schema().params(), operation.path, path + ".path", problems);
     checkParams(motion::MotionParams::schema().params(), operation.motion, path + ".motion",
                 problems);
@@ -245,6 +277,10 @@ std::vector<Diagnostic> Pipeline::validate() const {
         problems.push_back(std::move(problem));
       }
     }
+    if (strategy == nullptr) {
+      continue;
+    }
+    checkParams(strategy->info.params, operation.params, path + ".params", problems);
     if (strategy->info.needsFile && operation.file.empty()) {
       problems.push_back(
           {path + ".file", text("the strategy %1 needs a file with a path", {operation.strategy})});
@@ -266,10 +302,14 @@ std::vector<Diagnostic> Pipeline::validate() const {
     }
   }
   for (std::size_t i = 0; i < project.outputs.size(); ++i) {
-    const auto post = plugins_->findPost(project.outputs[i].post);
-    checkParams(post->info.params, project.outputs[i].params,
-                "outputs[" + std::to_string(i) + "].params", problems);
+    const auto post = posts.unless([&] { return plugins_->findPost(project.outputs[i].post); });
+    if (post != nullptr) {
+      checkParams(post->info.params, project.outputs[i].params,
+                  "outputs[" + std::to_string(i) + "].params", problems);
+    }
   }
+  strategies.throwIfAll(project.operations.size());
+  posts.throwIfAll(project.outputs.size());
   std::vector<Diagnostic> findings;
   for (const ParamProblem& problem : problems) {
     if (problem.unknown) {

@@ -7735,10 +7735,6 @@
         <translation>autoriser plus de points ou de lignes par programme, ou échantillonner le cordon moins densément</translation>
     </message>
     <message>
-        <source>check every joint value and frame before it runs</source>
-        <translation>vérifier chaque valeur articulaire et chaque repère avant de le lancer</translation>
-    </message>
-    <message>
         <source>for a part that the robot carries, the base is the fixed torch, and $NULLFRAME is not</source>
         <translation>pour une pièce que le robot porte, la base est la torche fixe, et $NULLFRAME ne l’est pas</translation>
     </message>
@@ -7791,20 +7787,12 @@
         <translation>donner un autre nom à program_name</translation>
     </message>
     <message>
-        <source>take the post-processor of the controller; %1=true writes the program all the same</source>
-        <translation>prendre le post-processeur de la commande ; %1=true écrit le programme malgré tout</translation>
-    </message>
-    <message>
         <source>the cell does not name its controller; the program is written for %1</source>
         <translation>la cellule ne nomme pas sa commande ; le programme est écrit pour %1</translation>
     </message>
     <message>
         <source>the controller of the cell is %1, the program is written for %2</source>
         <translation>la commande de la cellule est %1, le programme est écrit pour %2</translation>
-    </message>
-    <message>
-        <source>the controller of the cell is %1, this post-processor writes for %2</source>
-        <translation>la commande de la cellule est %1, ce post-processeur écrit pour %2</translation>
     </message>
     <message>
         <source>the wire speed changes %1 times, between %2 and %3 m/min, and the program does not write it</source>
@@ -8625,6 +8613,74 @@
     <message>
         <source>Mean of (1 - predicted over wanted speed) squared, by the prediction of time and speed.</source>
         <translation>Moyenne de (1 - vitesse prévue / vitesse voulue) au carré, d’après la prévision du temps et de la vitesse.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another user, who could change it</source>
+        <translation>%1 appartient à un autre utilisateur, qui pourrait le modifier</translation>
+    </message>
+    <message>
+        <source>another group can write %1; take that right away (chmod g-w)</source>
+        <translation>un autre groupe peut écrire dans %1 ; retirez ce droit (chmod g-w)</translation>
+    </message>
+    <message>
+        <source>everybody can write %1; take that right away (chmod o-w)</source>
+        <translation>tout le monde peut écrire dans %1 ; retirez ce droit (chmod o-w)</translation>
+    </message>
+    <message>
+        <source>it is a link out of its folder, to %1</source>
+        <translation>c&apos;est un lien hors de son dossier, vers %1</translation>
+    </message>
+    <message>
+        <source>it would take the place of the installed plugin %1; name it with --plugin to use it</source>
+        <translation>il prendrait la place du plugin installé %1 ; nommez-le avec --plugin pour l&apos;utiliser</translation>
+    </message>
+    <message>
+        <source>its component &apos;%1&apos; would take the place of that of the installed plugin %2; name it with --plugin to use it</source>
+        <translation>son composant « %1 » prendrait la place de celui du plugin installé %2 ; nommez-le avec --plugin pour l&apos;utiliser</translation>
+    </message>
+    <message>
+        <source>its library is not loaded: %1</source>
+        <translation>sa bibliothèque n&apos;est pas chargée : %1</translation>
+    </message>
+    <message>
+        <source>its maker is the owner of %1; %2</source>
+        <translation>son auteur est le propriétaire de %1 ; %2</translation>
+    </message>
+    <message>
+        <source>loading it crashes (signal %1)</source>
+        <translation>son chargement provoque un plantage (signal %1)</translation>
+    </message>
+    <message>
+        <source>loading it does not come to an end within %1 s</source>
+        <translation>son chargement ne se termine pas en %1 s</translation>
+    </message>
+    <message>
+        <source>loading it ends the program (exit code %1)</source>
+        <translation>son chargement termine le programme (code de sortie %1)</translation>
+    </message>
+    <message>
+        <source>output file &apos;%1&apos; has a value that is no number (nan or inf) in line %2</source>
+        <translation>le fichier de sortie « %1 » contient une valeur qui n&apos;est pas un nombre (nan ou inf) à la ligne %2</translation>
+    </message>
+    <message>
+        <source>output file &apos;%1&apos; is empty</source>
+        <translation>le fichier de sortie « %1 » est vide</translation>
+    </message>
+    <message>
+        <source>report this to the vendor of the plugin: a program belongs in the files that it returns</source>
+        <translation>signalez-le à l&apos;auteur du plugin : un programme doit être dans les fichiers qu&apos;il renvoie</translation>
+    </message>
+    <message>
+        <source>take the post-processor for %1; otherwise check every joint value and frame before the program runs</source>
+        <translation>prenez le post-processeur pour %1 ; sinon, vérifiez chaque valeur d&apos;axe et chaque repère avant de lancer le programme</translation>
+    </message>
+    <message>
+        <source>the folder depends on where the program is started; name its whole path</source>
+        <translation>le dossier dépend de l&apos;endroit où le programme est lancé ; donnez son chemin complet</translation>
+    </message>
+    <message>
+        <source>writes to standard output, beginning with &apos;%1&apos;</source>
+        <translation>écrit sur la sortie standard, à commencer par « %1 »</translation>
     </message>
 </context>
 <context>

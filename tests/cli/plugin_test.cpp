@@ -47,7 +47,16 @@ TEST_F(Plugins, ListTellsVerdicts) {
 
 TEST_F(Plugins, MissingOneIsNamed) {
   const fs::path project = elbowWith("wcam.slicing.guide", "com.acme.slicing.spiral");
-  EXPECT_THAT(refusedRun(project, 7), HasSubstr("'com.acme.slicing.spiral'"));
+  // The other operation does not need it.
+  const ProcessResult partly = camcli({"--project", project, "--output", "partly"});
+  EXPECT_EQ(partly.exitCode, 7);
+  EXPECT_THAT(partly.err, AllOf(HasSubstr("operation 'guide': no plugin provides the strategy "
+                                          "'com.acme.slicing.spiral'"),
+                                HasSubstr("its maker is the owner of acme.com")));
+  EXPECT_TRUE(fs::exists(folder_ / "partly/fanuc/PLANAR.LS"));
+  EXPECT_FALSE(fs::exists(folder_ / "partly/fanuc/GUIDE.LS"));
+  EXPECT_THAT(refusedRun(project, 7, {"--operation", "guide"}),
+              HasSubstr("'com.acme.slicing.spiral'"));
   const fs::path project2 = example("elbow", "second");
   writeFileAtomically(project2, replaced(readFile(project2), "wcam.post.fanuc", "com.acme.post"));
   EXPECT_THAT(refusedRun(project2, 7), HasSubstr("'com.acme.post'"));

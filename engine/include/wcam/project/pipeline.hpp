@@ -65,7 +65,9 @@ public:
            std::shared_ptr<const plugin::PluginHost> plugins,
            std::shared_ptr<StageCache> cache = std::make_shared<StageCache>());
 
-  /// All problems of parameters, components and file references, without computing anything.
+  /// All problems of parameters, components and file references, without computing anything. A
+  /// component that no plugin provides is none while others are left: its operation or output fails
+  /// alone.
   /// @return warnings: unknown parameters, changed files
   /// @throws Error(ProjectInvalid / PluginMissing / InputNotFound) listing them
   [[nodiscard]] std::vector<Diagnostic> validate() const;
