@@ -240,7 +240,7 @@ public:
     if (const std::string printed = output.restore(); !printed.empty()) {
       guard_.fail(text("writes to standard output, beginning with '%1'",
                        {printed.substr(0, printed.find('\n'))}),
-                  "report this to the vendor of the plugin: a program belongs into the files that "
+                  "report this to the vendor of the plugin: a program belongs in the files that "
                   "it returns");
     }
     if (files.empty()) {

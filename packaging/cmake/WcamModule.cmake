@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # What nearly every file of the engine includes, compiled once: a third of the time of a file goes into these
-# headers. The build of the fuzz targets does without it and so shows an include that is missing.
+# headers. A build with WCAM_PRECOMPILE=OFF shows an include that is missing.
 option(WCAM_PRECOMPILE "Compile the headers that everything includes once" ON)
 if(WCAM_PRECOMPILE)
   add_library(wcam_engine_precompiled OBJECT EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/packaging/cmake/precompiled.cpp")
