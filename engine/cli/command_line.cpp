@@ -4,7 +4,7 @@
 #include "command_line.hpp"
 
 #include "wcam/base/text.hpp"
-#include "wcam/version.h"
+#include "wcam/base/version.h"
 
 namespace wcam::cli {
 

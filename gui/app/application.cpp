@@ -4,8 +4,8 @@
 #include "application.hpp"
 
 #include "wcam/base/file_io.hpp"
+#include "wcam/base/version.h"
 #include "wcam/plugin/crash_notice.hpp"
-#include "wcam/version.h"
 
 #include "end_signals.hpp"
 #include "main_window.hpp"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/version.h"
 #include "wcam/plugin/abi.h"
 #include "wcam/plugin/registrar.hpp"
-#include "wcam/version.h"
 
 #include <Eigen/Core>
 
