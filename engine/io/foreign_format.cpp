@@ -33,6 +33,7 @@ const std::vector<Signature>& signatures() {
       Signature{"%!ps", text("a PostScript document"), Remedy::Export, true},
       Signature{"\x89PNG"sv, text("a PNG picture"), Remedy::Export},
       Signature{"\xFF\xD8\xFF"sv, text("a JPEG picture"), Remedy::Export},
+      Signature{"RIFF"sv, text("a RIFF file (a WebP picture, a sound or a film)"), Remedy::Export},
       Signature{"GIF8"sv, text("a GIF picture"), Remedy::Export},
       Signature{"II*\0"sv, text("a TIFF picture"), Remedy::Export},
       Signature{"MM\0*"sv, text("a TIFF picture"), Remedy::Export},

@@ -196,16 +196,21 @@ private:
   void tellLeftOut() const {
     addCounted(context_, Severity::Information, "import.edges_left_out",
                thinFaces_ + linesAndPoints_,
-               text("%1 lines, points and faces with fewer than three corners are left out",
+               text(thinFaces_ + linesAndPoints_ == 1
+                        ? "%1 line, point or face with fewer than three corners is left out"
+                        : "%1 lines, points and faces with fewer than three corners are left out",
                     {std::to_string(thinFaces_ + linesAndPoints_)}));
-    addCounted(context_, Severity::Warning, "import.free_form_left_out", freeForms_,
-               text("%1 free-form curves and surfaces of the OBJ file are left out",
-                    {std::to_string(freeForms_)}),
-               "export the part as a mesh or as STEP");
     addCounted(
-        context_, Severity::Warning, "import.other_file_left_out", calls_,
-        text("%1 calls of other files in the OBJ file are not followed", {std::to_string(calls_)}),
-        "export the part as one file");
+        context_, Severity::Warning, "import.free_form_left_out", freeForms_,
+        text(freeForms_ == 1 ? "%1 free-form curve or surface of the OBJ file is left out"
+                             : "%1 free-form curves and surfaces of the OBJ file are left out",
+             {std::to_string(freeForms_)}),
+        "export the part as a mesh or as STEP");
+    addCounted(context_, Severity::Warning, "import.other_file_left_out", calls_,
+               text(calls_ == 1 ? "%1 call of another file in the OBJ file is not followed"
+                                : "%1 calls of other files in the OBJ file are not followed",
+                    {std::to_string(calls_)}),
+               "export the part as one file");
   }
 
   TextScanner scanner_;

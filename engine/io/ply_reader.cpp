@@ -99,7 +99,9 @@ public:
       dividePolygon(mesh_.vertices, polygon, mesh_.triangles);
     }
     addCounted(context_, Severity::Information, "import.edges_left_out", thinFaces_,
-               text("%1 lines, points and faces with fewer than three corners are left out",
+               text(thinFaces_ == 1
+                        ? "%1 line, point or face with fewer than three corners is left out"
+                        : "%1 lines, points and faces with fewer than three corners are left out",
                     {std::to_string(thinFaces_)}));
     RawMesh raw;
     raw.relativePrecision = singlePrecision_ ? 1e-7 : 1e-12;

@@ -157,13 +157,15 @@ private:
       const std::string space = xml_.namespaceOf(prefix);
       const Extension* known = extensionOf(space);
       if (known == nullptr) {
-        xml_.fail(wcam::text(
-            "the model needs the 3MF extension '%1' (%2), which is not known",
-            {printableName(prefix), space.empty() ? "not declared" : printableName(space)}));
+        xml_.fail(wcam::text("the model needs the 3MF extension '%1' (%2), which is not known",
+                             {printableName(prefix),
+                              space.empty() ? "not declared" : printableName(space)}),
+                  "export it without this extension");
       }
       if (known->use == ExtensionUse::Refused) {
         xml_.fail(
-            wcam::text("the model needs the 3MF extension '%1', which is not read", {known->name}));
+            wcam::text("the model needs the 3MF extension '%1', which is not read", {known->name}),
+            "export it without this extension");
       }
     }
   }

@@ -198,10 +198,11 @@ std::string XmlReader::namespaceOf(const std::string& prefix) const {
   return it == namespaces_.end() ? std::string() : it->second;
 }
 
-void XmlReader::fail(const Text& what) const {
-  package_.fail(wcam::text(
-      "part '%1', line %2: %3",
-      {printableName(part_), std::to_string(XML_GetCurrentLineNumber(impl_->parser.get())), what}));
+void XmlReader::fail(const Text& what, const Text& remedy) const {
+  package_.fail(wcam::text("part '%1', line %2: %3",
+                           {printableName(part_),
+                            std::to_string(XML_GetCurrentLineNumber(impl_->parser.get())), what}),
+                remedy);
 }
 
 }  // namespace wcam::io

@@ -32,7 +32,9 @@ public:
   /// What the archive holds when it is no 3MF package: its first entry; empty without any.
   [[nodiscard]] std::string firstName() const;
 
-  [[noreturn]] void fail(const Text& what) const { archive_.fail(what); }
+  [[noreturn]] void fail(const Text& what, const Text& remedy = {}) const {
+    archive_.fail(what, remedy);
+  }
 
 private:
   ZipArchive archive_;
@@ -83,7 +85,7 @@ public:
   /// Namespace that a prefix stands for, of those declared so far; empty when it is not declared.
   [[nodiscard]] std::string namespaceOf(const std::string& prefix) const;
 
-  [[noreturn]] void fail(const Text& what) const;
+  [[noreturn]] void fail(const Text& what, const Text& remedy = {}) const;
 
 private:
   struct Impl;

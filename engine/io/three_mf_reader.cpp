@@ -70,7 +70,8 @@ public:
     raw_.unit = model.unit;
     raw_.millimetresPerUnit = model.millimetresPerUnit;
     if (model.items.empty()) {
-      package_.fail("the package has nothing to build");
+      package_.fail("the package has nothing to build",
+                    "put a part on the build plate in the program that made the file");
     }
     requireMemory(model);
     for (const ThreeMfReference& item : model.items) {
@@ -114,11 +115,13 @@ private:
     }
     if (all.instances > kMaxInstances) {
       package_.fail(text("the package repeats its objects more than %1 times",
-                         {std::to_string(kMaxInstances)}));
+                         {std::to_string(kMaxInstances)}),
+                    "export fewer copies");
     }
     if (all.triangles > kMaxTriangles) {
       package_.fail(text("the package builds %1 triangles; at most %2 are taken",
-                         {formatFixed(all.triangles, 0), std::to_string(kMaxTriangles)}));
+                         {formatFixed(all.triangles, 0), std::to_string(kMaxTriangles)}),
+                    "export fewer copies, or a coarser mesh");
     }
   }
 
@@ -310,20 +313,29 @@ private:
 
   void tell() const {
     const auto number = [](std::size_t n) { return std::to_string(n); };
-    addCounted(context_, Severity::Warning, "import.not_printable", leftOut_.notPrintable,
-               text("%1 items that are marked as not printable are left out",
-                    {number(leftOut_.notPrintable)}),
-               "mark them as printable in the program that made the file if they are wanted");
+    const auto one = [](std::size_t n) { return n == 1; };
+    addCounted(
+        context_, Severity::Warning, "import.not_printable", leftOut_.notPrintable,
+        text(one(leftOut_.notPrintable) ? "%1 item that is marked as not printable is left out"
+                                        : "%1 items that are marked as not printable are left out",
+             {number(leftOut_.notPrintable)}),
+        "mark them as printable in the program that made the file if they are wanted");
     addCounted(context_, Severity::Information, "import.support_left_out", leftOut_.supports,
-               text("%1 supports are left out", {number(leftOut_.supports)}));
+               text(one(leftOut_.supports) ? "%1 support is left out" : "%1 supports are left out",
+                    {number(leftOut_.supports)}));
     addCounted(context_, Severity::Warning, "import.other_left_out", leftOut_.others,
-               text("%1 objects of the type 'other' are left out", {number(leftOut_.others)}),
+               text(one(leftOut_.others) ? "%1 object of the type 'other' is left out"
+                                         : "%1 objects of the type 'other' are left out",
+                    {number(leftOut_.others)}),
                "give them the type 'model' if they are to be built");
-    addCounted(context_, Severity::Information, "import.modifier_left_out", leftOut_.helpers,
-               text("%1 modifiers, support blockers and the like are left out",
-                    {number(leftOut_.helpers)}));
+    addCounted(
+        context_, Severity::Information, "import.modifier_left_out", leftOut_.helpers,
+        text(one(leftOut_.helpers) ? "%1 modifier, support blocker or the like is left out"
+                                   : "%1 modifiers, support blockers and the like are left out",
+             {number(leftOut_.helpers)}));
     addCounted(context_, Severity::Warning, "import.beam_lattice_left_out", leftOut_.lattices,
-               text("%1 beam lattices with %2 beams are left out",
+               text(one(leftOut_.lattices) ? "%1 beam lattice is left out (beams: %2)"
+                                           : "%1 beam lattices are left out (beams: %2)",
                     {number(leftOut_.lattices), number(leftOut_.beams)}),
                "turn the beams into a mesh with the program that made the file");
     std::map<std::string, std::size_t> unread;
@@ -341,11 +353,16 @@ private:
   }
 
   [[noreturn]] void nothingLeft() const {
-    package_.fail(leftOut_.lattices > 0 ? text("the package has no triangles, only beam lattices")
-                  : leftOut_.notPrintable > 0
-                      ? text("the package has nothing to build: its items are marked as not "
-                             "printable")
-                      : text("the package has no triangles to build"));
+    if (leftOut_.lattices > 0) {
+      package_.fail("the package has no triangles, only beam lattices",
+                    "turn the beams into a mesh with the program that made the file");
+    }
+    if (leftOut_.notPrintable > 0) {
+      package_.fail("the package has nothing to build: its items are marked as not printable",
+                    "mark them as printable in the program that made the file if they are wanted");
+    }
+    package_.fail("the package has no triangles to build",
+                  "export the part as a mesh of triangles");
   }
 
   const Package& package_;
@@ -377,7 +394,8 @@ std::string rootModel(const Package& package, const JobContext& context) {
   std::string root = Package::partName(parser.target);
   if (!package.has(root)) {
     package.fail(text("the ZIP archive has no 3MF model '%1'; its first file is '%2'",
-                      {printableName(parser.target), package.firstName()}));
+                      {printableName(parser.target), package.firstName()}),
+                 "unpack the archive and open the part in it");
   }
   return root;
 }

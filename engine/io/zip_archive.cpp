@@ -96,9 +96,9 @@ ZipArchive::ZipArchive(std::string_view bytes, std::string file)
   readDirectory();
 }
 
-void ZipArchive::fail(const Text& what) const {
+void ZipArchive::fail(const Text& what, const Text& remedy) const {
   throw Error(ErrorCode::InputInvalid, what, file_,
-              "the file is damaged or cut off; export it again");
+              remedy.empty() ? text("the file is damaged or cut off; export it again") : remedy);
 }
 
 void ZipArchive::readDirectory() {
@@ -128,7 +128,7 @@ void ZipArchive::readDirectory() {
     size = end64.n64();
     start = end64.n64();
   } else if ((disk != 0 && disk != kSaturated16) || (firstDisk != 0 && firstDisk != kSaturated16)) {
-    fail("is one volume of a divided ZIP archive");
+    fail("is one volume of a divided ZIP archive", "join the volumes and open the whole archive");
   }
   if (size > directoryEnd || count > size / kEntrySize) {
     fail("the directory of the ZIP archive is damaged");
@@ -189,11 +189,12 @@ void ZipArchive::read(const ZipEntry& entry,
                       const std::function<void(const char*, std::size_t, bool)>& use) const {
   const std::string name = printableName(entry.name);
   if (entry.encrypted) {
-    fail(text("part '%1' is encrypted", {name}));
+    fail(text("part '%1' is encrypted", {name}), "save the package without a password");
   }
   if (entry.method != kStored && entry.method != kDeflated) {
     fail(text("part '%1' is packed by method %2; only deflate is known",
-              {name, std::to_string(entry.method)}));
+              {name, std::to_string(entry.method)}),
+         "pack it with deflate, or export it again");
   }
   if (entry.unpacked > kHarmlessSize && entry.unpacked / kMaxGrowth > entry.packed) {
     throw Error(

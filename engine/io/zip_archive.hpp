@@ -39,7 +39,8 @@ public:
             const JobContext& context,
             const std::function<void(const char*, std::size_t, bool)>& use) const;
 
-  [[noreturn]] void fail(const Text& what) const;
+  /// @param remedy empty: the file is damaged
+  [[noreturn]] void fail(const Text& what, const Text& remedy = {}) const;
 
 private:
   class Reader;

@@ -7651,10 +7651,6 @@
         <translation>Ajoute RTCP aux mouvements linéaires et circulaires quand le robot porte la pièce : la vitesse est tenue à la torche. Exclut le mouvement coordonné.</translation>
     </message>
     <message>
-        <source>Also for other controllers</source>
-        <translation>Aussi pour d’autres commandes</translation>
-    </message>
-    <message>
         <source>As the points. 0: no limit.</source>
         <translation>Comme les points. 0 : sans limite.</translation>
     </message>
@@ -7705,14 +7701,6 @@
     <message>
         <source>User frame of the fixed torch (UF)</source>
         <translation>Repère utilisateur de la torche fixe (UF)</translation>
-    </message>
-    <message>
-        <source>Writes the program though the cell names a controller of another make. Axis values then have the meaning of that make.</source>
-        <translation>Écrit le programme bien que la cellule nomme une commande d’une autre marque. Les valeurs d’axes ont alors le sens de cette marque.</translation>
-    </message>
-    <message>
-        <source>Writes the program though the cell names a controller of another make. Joint values then have the meaning of that make.</source>
-        <translation>Écrit le programme bien que la cellule nomme une commande d’une autre marque. Les valeurs articulaires ont alors le sens de cette marque.</translation>
     </message>
     <message>
         <source>a bead is longer than one program of %1 positions: it would be cut with the arc on, into parts that cannot be started alone</source>
@@ -7893,10 +7881,6 @@
     <message>
         <source>the iso-parametric curves run over the surface more than once: they meet each other or return to where they began</source>
         <translation>les courbes isoparamétriques parcourent la surface plus d’une fois : elles se rencontrent ou reviennent à leur départ</translation>
-    </message>
-    <message>
-        <source>%1 beam lattices with %2 beams are left out</source>
-        <translation>%1 structures en treillis (%2 poutres) sont laissées de côté</translation>
     </message>
     <message>
         <source>%1 bodies meet around %2 mm and cannot be united, since a surface crosses itself or has too many triangles; where they overlap, paths fill the space more than once</source>
@@ -8681,6 +8665,78 @@
     <message>
         <source>writes to standard output, beginning with &apos;%1&apos;</source>
         <translation>écrit sur la sortie standard, à commencer par « %1 »</translation>
+    </message>
+    <message>
+        <source>%1 beam lattice is left out (beams: %2)</source>
+        <translation>%1 treillis de poutres est ignoré (poutres : %2)</translation>
+    </message>
+    <message>
+        <source>%1 beam lattices are left out (beams: %2)</source>
+        <translation>%1 treillis de poutres sont ignorés (poutres : %2)</translation>
+    </message>
+    <message>
+        <source>%1 call of another file in the OBJ file is not followed</source>
+        <translation>%1 appel d&apos;un autre fichier dans le fichier OBJ n&apos;est pas suivi</translation>
+    </message>
+    <message>
+        <source>%1 free-form curve or surface of the OBJ file is left out</source>
+        <translation>%1 courbe ou surface de forme libre du fichier OBJ est ignorée</translation>
+    </message>
+    <message>
+        <source>%1 item that is marked as not printable is left out</source>
+        <translation>%1 élément marqué comme non imprimable est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 line, point or face with fewer than three corners is left out</source>
+        <translation>%1 ligne, point ou face de moins de trois sommets est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 modifier, support blocker or the like is left out</source>
+        <translation>%1 modificateur, bloqueur de supports ou similaire est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 object of the type &apos;other&apos; is left out</source>
+        <translation>%1 objet de type « other » est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 support is left out</source>
+        <translation>%1 support est ignoré</translation>
+    </message>
+    <message>
+        <source>a RIFF file (a WebP picture, a sound or a film)</source>
+        <translation>un fichier RIFF (image WebP, son ou film)</translation>
+    </message>
+    <message>
+        <source>export fewer copies</source>
+        <translation>exportez moins de copies</translation>
+    </message>
+    <message>
+        <source>export fewer copies, or a coarser mesh</source>
+        <translation>exportez moins de copies ou un maillage plus grossier</translation>
+    </message>
+    <message>
+        <source>export it without this extension</source>
+        <translation>exportez-le sans cette extension</translation>
+    </message>
+    <message>
+        <source>export the part as a mesh of triangles</source>
+        <translation>exportez la pièce comme un maillage de triangles</translation>
+    </message>
+    <message>
+        <source>join the volumes and open the whole archive</source>
+        <translation>réunissez les volumes et ouvrez l&apos;archive complète</translation>
+    </message>
+    <message>
+        <source>pack it with deflate, or export it again</source>
+        <translation>compressez-la avec deflate ou exportez-la à nouveau</translation>
+    </message>
+    <message>
+        <source>put a part on the build plate in the program that made the file</source>
+        <translation>placez une pièce sur le plateau dans le logiciel d&apos;origine</translation>
+    </message>
+    <message>
+        <source>save the package without a password</source>
+        <translation>enregistrez le paquet sans mot de passe</translation>
     </message>
 </context>
 <context>
