@@ -327,7 +327,7 @@ std::size_t LevelCurve::assign(const LevelContour& contour) {
       } else if (!settled(contour.points[i], contour.fractions[i])) {
         ++failures;
       }
-    } else if (field_ != nullptr) {
+    } else if (field_ != nullptr && !settled(contour.points[i], contour.fractions[i])) {
       nodes[i].point.p = onMeshEdge(contour.halfEdges[i], contour.points[i]);
     }
   }

@@ -6,7 +6,10 @@
 #include "slicing_fixture.hpp"
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 
 /// Faces that lie on a layer up to rounding or noise: one closed contour of the section's length.
 namespace wcam::toolpath {
@@ -173,6 +176,89 @@ TEST(FlatFaces, AnyNoiseAndAnyTurnLeaveOneContourPerLayer) {
       }
       expectOne(sliced, layer.level, 2.0 * corners * radius * std::sin(kPi / corners),
                 0.02 + 1e-4 * radius);
+    }
+  }
+}
+
+/// The surface of cells of 5 mm, with noise on every vertex.
+geometry::TriangleMesh cellMesh(const std::function<bool(int, int, int)>& full,
+                                const std::array<int, 3>& size,
+                                double noise,
+                                RandomSource& random) {
+  geometry::TriangleMesh mesh;
+  std::map<std::array<int, 3>, std::uint32_t> vertices;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [it, fresh] =
+        vertices.try_emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (fresh) {
+      Vec3 p(5.0 * at[0], 5.0 * at[1], 5.0 * at[2]);
+      for (double& x : p) {
+        x += random.real(-noise, noise);
+      }
+      mesh.vertices.push_back(p);
+    }
+    return it->second;
+  };
+  const auto inside = [&](const std::array<int, 3>& c) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (c[k] < 0 || c[k] >= size[k]) {
+        return false;
+      }
+    }
+    return full(c[0], c[1], c[2]);
+  };
+  for (int x = 0; x < size[0]; ++x) {
+    for (int y = 0; y < size[1]; ++y) {
+      for (int z = 0; z < size[2]; ++z) {
+        const std::array<int, 3> cell{x, y, z};
+        for (std::size_t axis = 0; axis < 3 && inside(cell); ++axis) {
+          for (const int side : {0, 1}) {
+            std::array<int, 3> beyond = cell;
+            beyond[axis] += side == 1 ? 1 : -1;
+            if (inside(beyond)) {
+              continue;
+            }
+            std::array<std::array<int, 3>, 4> corner;
+            corner.fill(cell);
+            const std::size_t u = (axis + (side == 1 ? 1 : 2)) % 3;
+            const std::size_t v = (axis + (side == 1 ? 2 : 1)) % 3;
+            for (auto& c : corner) {
+              c[axis] += side;
+            }
+            ++corner[1][u];
+            ++corner[2][u];
+            ++corner[2][v];
+            ++corner[3][v];
+            mesh.triangles.push_back({vertex(corner[0]), vertex(corner[1]), vertex(corner[2])});
+            mesh.triangles.push_back({vertex(corner[0]), vertex(corner[2]), vertex(corner[3])});
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+TEST(FlatFaces, LegsFlushWithTheSidesOfATableKeepTheirCorners) {
+  // Legs of 10 x 10 mm whose outer sides go on into the table's sides, below its underside.
+  const auto full = [](int x, int y, int z) {
+    return z >= 4 || ((x < 2 || x >= 10) && (y < 2 || y >= 6));
+  };
+  for (const std::uint64_t seed : testSeeds(20)) {
+    RandomSource random(seed);
+    for (const double noise : {0.0, 1e-6, 1e-5, 1e-4, 1e-3}) {
+      const auto table = test::meshSurface(cellMesh(full, {12, 8, 5}, noise, random));
+      const SlicedLayers sliced = planar(table, 2.5);
+      for (const SlicedLayer& layer : sliced.layers) {
+        if (layer.level > 20.1) {
+          continue;
+        }
+        ASSERT_EQ(layer.contours.size(), 4U) << layer.level << " seed " << seed << " " << noise;
+        for (const Contour& contour : layer.contours) {
+          EXPECT_NEAR(lengthOf(contour), 40.0, 0.02)
+              << layer.level << " seed " << seed << " " << noise;
+        }
+      }
     }
   }
 }
