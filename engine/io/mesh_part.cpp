@@ -59,8 +59,9 @@ void chooseUnit(const RawMesh& raw,
   report.unit = unitName(unit);
   report.millimetresPerUnit = millimetresPer(unit);
   report.unitReason =
-      metres ? text("guessed: the largest extent is %1, less than 2 units", {formatReal(extent)})
-             : text("guessed: the largest extent is %1, at least 2 units", {formatReal(extent)});
+      metres
+          ? text("guessed: the largest extent is %1, less than 2 units", {formatFixed(extent, 3)})
+          : text("guessed: the largest extent is %1, at least 2 units", {formatFixed(extent, 3)});
   context.add({metres ? Severity::Warning : Severity::Information,
                "import.units_guessed",
                text("%1 files do not tell their unit; %2 is %3",
@@ -100,9 +101,15 @@ void scaleAndPlace(TriangleMesh& mesh,
 void dropBadTriangles(TriangleMesh& mesh,
                       ImportReport& report,
                       Dropped& degenerate,
+                      Dropped& inner,
                       Dropped& duplicate) {
   const Dropped twice = dropDegenerate(mesh);
+  const Dropped between = dropInnerWalls(mesh);
   const Dropped again = dropDuplicates(mesh);
+  if (inner.count == 0) {
+    inner.first = between.first;
+  }
+  inner.count += between.count;
   if (degenerate.count == 0) {
     degenerate.first = twice.first;
   }
@@ -161,22 +168,23 @@ private:
 
   void repair() {
     Dropped degenerate;
+    Dropped inner;
     Dropped duplicate;
-    dropBadTriangles(raw_.mesh, report_, degenerate, duplicate);
+    dropBadTriangles(raw_.mesh, report_, degenerate, inner, duplicate);
     context_.check();
     requireTriangles("no triangle is left after dropping those without area");
     halfEdges_ = HalfEdges(raw_.mesh);
     context_.check();
-    stitch(degenerate, duplicate);
+    stitch(degenerate, inner, duplicate);
     dropUnusedVerticesIfAny();
     requireTriangles("no triangle is left after joining the borders");
     orient();
-    tell(degenerate, duplicate);
+    tell(degenerate, inner, duplicate);
   }
 
   /// Joins borders whose points differ by no more than the file's precision (or as far as the user
   /// says). The automatic width is only used when it closes something.
-  void stitch(Dropped& degenerate, Dropped& duplicate) {
+  void stitch(Dropped& degenerate, Dropped& inner, Dropped& duplicate) {
     if (halfEdges_.closed()) {
       return;
     }
@@ -189,13 +197,15 @@ private:
     }
     ImportReport report;
     Dropped trialDegenerate = degenerate;
+    Dropped trialInner = inner;
     Dropped trialDuplicate = duplicate;
-    dropBadTriangles(trial, report, trialDegenerate, trialDuplicate);
+    dropBadTriangles(trial, report, trialDegenerate, trialInner, trialDuplicate);
     HalfEdges trialEdges(trial);
     if (wanted > 0.0 || trialEdges.borderEdgeCount() < halfEdges_.borderEdgeCount()) {
       raw_.mesh = std::move(trial);
       halfEdges_ = std::move(trialEdges);
       degenerate = trialDegenerate;
+      inner = trialInner;
       duplicate = trialDuplicate;
       report_.degenerateTriangles = degenerate.count;
       report_.duplicateTriangles = duplicate.count;
@@ -256,7 +266,7 @@ private:
     return kWeldSteps * raw_.relativePrecision * largestCoordinate(raw_.mesh);
   }
 
-  void tell(const Dropped& degenerate, const Dropped& duplicate) {
+  void tell(const Dropped& degenerate, const Dropped& inner, const Dropped& duplicate) {
     const auto count = [](std::size_t n) { return std::to_string(n); };
     if (report_.weldedVertices > 0) {
       const Text message =
@@ -275,6 +285,10 @@ private:
     addCounted(context_, Severity::Information, "import.degenerate_dropped", degenerate.count,
                text("%1 triangles without area were dropped, the first at %2 mm",
                     {count(degenerate.count), positionText(degenerate.first)}));
+    addCounted(context_, Severity::Information, "import.inner_walls_dropped", inner.count,
+               text("%1 triangles back to back between touching bodies were dropped, the first at "
+                    "%2 mm: the bodies are built as one",
+                    {count(inner.count), positionText(inner.first)}));
     addCounted(context_, Severity::Warning, "import.duplicate_dropped", duplicate.count,
                text("%1 triangles that were there twice were dropped, the first at %2 mm",
                     {count(duplicate.count), positionText(duplicate.first)}),

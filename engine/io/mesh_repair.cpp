@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <unordered_map>
 
 namespace wcam::io {
@@ -53,6 +54,45 @@ struct DuplicateKey {
     return a.highest != b.highest ? a.highest < b.highest : a.triangle < b.triangle;
   }
 };
+
+/// Calls body for every set of two or more triangles of the same vertices. O(n)
+template <class Body>
+void forEqualTriangles(const TriangleMesh& mesh, const Body& body) {
+  // Buckets by lowest vertex, filled by counting.
+  std::vector<std::uint32_t> start(mesh.vertices.size() + 1, 0);
+  for (const auto& t : mesh.triangles) {
+    ++start[std::min({t[0], t[1], t[2]}) + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<DuplicateKey> keys(mesh.triangles.size());
+  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<std::uint32_t, 3> v = mesh.triangles[t];
+    std::sort(v.begin(), v.end());
+    keys[fill[v[0]]++] = {v[1], v[2], t};
+  }
+  const auto same = [](const DuplicateKey& a, const DuplicateKey& b) {
+    return a.middle == b.middle && a.highest == b.highest;
+  };
+  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
+    std::sort(keys.begin() + start[v], keys.begin() + start[v + 1]);
+    for (std::size_t i = start[v]; i < start[v + 1];) {
+      std::size_t end = i + 1;
+      while (end < start[v + 1] && same(keys[i], keys[end])) {
+        ++end;
+      }
+      if (end - i > 1) {
+        body(std::span<const DuplicateKey>(keys).subspan(i, end - i));
+      }
+      i = end;
+    }
+  }
+}
+
+/// Do the corners follow each other as their sorted numbers do?
+bool turnsLeft(const std::array<std::uint32_t, 3>& t) {
+  return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2]));
+}
 
 /// Cell of a point in a grid of the given step.
 struct Cell {
@@ -134,26 +174,83 @@ Dropped dropDegenerate(TriangleMesh& mesh) {
 }
 
 Dropped dropDuplicates(TriangleMesh& mesh) {
-  // Buckets by lowest vertex, filled by counting.
-  std::vector<std::uint32_t> start(mesh.vertices.size() + 1, 0);
-  for (const auto& t : mesh.triangles) {
-    ++start[std::min({t[0], t[1], t[2]}) + 1];
+  std::vector<bool> marked(mesh.triangles.size(), false);
+  forEqualTriangles(mesh, [&marked](std::span<const DuplicateKey> equal) {
+    for (const DuplicateKey& key : equal.subspan(1)) {
+      marked[key.triangle] = true;
+    }
+  });
+  return dropMarked(mesh, marked);
+}
+
+Dropped dropInnerWalls(TriangleMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  forEqualTriangles(mesh, [&](std::span<const DuplicateKey> equal) {
+    if (equal.size() == 2 && turnsLeft(mesh.triangles[equal[0].triangle]) !=
+                                 turnsLeft(mesh.triangles[equal[1].triangle])) {
+      pairs.push_back({equal[0].triangle, equal[1].triangle});
+    }
+  });
+  if (pairs.empty()) {
+    return {};
   }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<DuplicateKey> keys(mesh.triangles.size());
-  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+
+  // Edges of the pairs: how many pairs and how many other triangles meet there, and the last pair.
+  struct Meeting {
+    std::size_t pairs = 0;
+    std::size_t others = 0;
+    std::uint32_t last = 0;
+  };
+
+  std::unordered_map<std::uint64_t, Meeting> edges;
+  const auto edgeOf = [&mesh](std::uint32_t triangle, std::size_t k) {
+    const auto& t = mesh.triangles[triangle];
+    const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+    return (std::uint64_t{low} << 32U) | high;
+  };
+  std::vector<bool> paired(mesh.triangles.size(), false);
+  std::vector<std::uint32_t> patch(pairs.size());
+  std::iota(patch.begin(), patch.end(), 0U);
+  const auto root = [&patch](std::uint32_t p) {
+    while (patch[p] != p) {
+      p = patch[p] = patch[patch[p]];
+    }
+    return p;
+  };
+  for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+    paired[pairs[p][0]] = paired[pairs[p][1]] = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Meeting& meeting = edges[edgeOf(pairs[p][0], k)];
+      if (meeting.pairs++ > 0) {
+        patch[root(p)] = root(meeting.last);
+      }
+      meeting.last = p;
+    }
+  }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<std::uint32_t, 3> v = mesh.triangles[t];
-    std::sort(v.begin(), v.end());
-    keys[fill[v[0]]++] = {v[1], v[2], t};
+    for (std::size_t k = 0; k < 3 && !paired[t]; ++k) {
+      if (const auto found = edges.find(edgeOf(t, k)); found != edges.end()) {
+        ++found->second.others;
+      }
+    }
+  }
+  // A patch is a wall between bodies when its whole border lies on what both have besides it. The
+  // border of a sheet with two sides is free.
+  std::vector<bool> bordered(pairs.size(), false);
+  std::vector<bool> free(pairs.size(), false);
+  for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Meeting& meeting = edges.at(edgeOf(pairs[p][0], k));
+      if (meeting.pairs == 1) {
+        bordered[root(p)] = true;
+        free[root(p)] = free[root(p)] || meeting.others < 2;
+      }
+    }
   }
   std::vector<bool> marked(mesh.triangles.size(), false);
-  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
-    std::sort(keys.begin() + start[v], keys.begin() + start[v + 1]);
-    for (std::size_t i = start[v] + 1; i < start[v + 1]; ++i) {
-      marked[keys[i].triangle] =
-          keys[i].middle == keys[i - 1].middle && keys[i].highest == keys[i - 1].highest;
-    }
+  for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+    const bool inner = bordered[root(p)] && !free[root(p)];
+    marked[pairs[p][0]] = marked[pairs[p][1]] = inner;
   }
   return dropMarked(mesh, marked);
 }

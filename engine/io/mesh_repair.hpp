@@ -25,6 +25,11 @@ Dropped dropDegenerate(geometry::TriangleMesh& mesh);
 /// Order is kept. O(n)
 Dropped dropDuplicates(geometry::TriangleMesh& mesh);
 
+/// Drops the walls between bodies that touch: triangles that lie back to back, both of a pair,
+/// where the border of their patch lies on other triangles of both bodies. Sheets with two sides
+/// are kept. Order is kept. O(n)
+Dropped dropInnerWalls(geometry::TriangleMesh& mesh);
+
 /// Drops vertices that no triangle uses; order is kept.
 void dropUnusedVertices(geometry::TriangleMesh& mesh);
 

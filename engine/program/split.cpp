@@ -13,6 +13,16 @@ namespace wcam::program {
 
 namespace {
 
+/// The limits that hold: 0 is none.
+Text limitText(const SplitLimits& limits) {
+  if (limits.positions > 0 && limits.lines > 0) {
+    return text("%1 positions and %2 lines",
+                {std::to_string(limits.positions), std::to_string(limits.lines)});
+  }
+  return limits.lines > 0 ? text("%1 lines", {std::to_string(limits.lines)})
+                          : text("%1 positions", {std::to_string(limits.positions)});
+}
+
 /// What a part has room for.
 struct Size {
   std::size_t positions = 0;
@@ -131,11 +141,10 @@ private:
       const Size needed = lead + sizeOf(all_[end].action);
       throw Error(
           ErrorCode::InvalidArgument,
-          text("a program of %1 positions and %2 lines has no room for a move",
-               {std::to_string(limits_.positions), std::to_string(limits_.lines)}),
+          text("a program of at most %1 has no room for a move", {limitText(limits_)}),
           program_.name,
           text("allow at least %1 positions and %2 lines per program",
-               {std::to_string(needed.positions),
+               {std::to_string(std::max<std::size_t>(1, needed.positions)),
                 std::to_string(needed.lines + static_cast<std::size_t>(limits_.headLines))}));
     }
     return end;
@@ -288,9 +297,9 @@ void tell(const Program& program,
   if (split.cutsWithArcOn > 0) {
     context.add({Severity::Violation,
                  "post.cut_with_arc_on",
-                 text("a bead is longer than one program of %1 positions: it would be cut with the "
+                 text("a bead is longer than one program of at most %1: it would be cut with the "
                       "arc on, into parts that cannot be started alone",
-                      {std::to_string(limits.positions)}),
+                      {limitText(limits)}),
                  "allow more points or lines per program, or sample the bead less densely",
                  {program.name},
                  {{"cuts", static_cast<double>(split.cutsWithArcOn)}}});

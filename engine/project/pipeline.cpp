@@ -222,8 +222,8 @@ void checkController(const plugin::ComponentInfo& post,
       {Severity::Warning,
        "post.other_controller",
        text("the controller of the cell is %1, the program is written for %2", {controller, makes}),
-       text("take the post-processor for %1; otherwise check every joint value and frame before "
-            "the program runs",
+       text("use a post-processor that writes for %1, where there is one; otherwise check every "
+            "joint value and frame before the program runs",
             {controller}),
        {program.name},
        {}});

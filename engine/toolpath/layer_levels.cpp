@@ -120,7 +120,7 @@ void reportSteps(const std::vector<double>& ends,
                  "slicing.step_fitted",
                  text("the step is %1 mm instead of %2 mm, so that the last layer lies on the "
                       "part's end",
-                      {formatFixed(step, 4), formatReal(wish.step)}),
+                      {formatFixed(step, 4), formatFixed(wish.step, 4)}),
                  "",
                  {},
                  {{"step_mm", step}, {"wanted_mm", wish.step}}});
@@ -136,14 +136,14 @@ void reportSteps(const std::vector<double>& ends,
     }
     LayerWish fit = wish;
     fit.last = LastLayer::Fit;
-    context.add(
-        {Severity::Warning,
-         "slicing.rest",
-         text("part %1 goes on for %2 mm above its last layer",
-              {std::to_string(k + 1), formatFixed(rest, 3)}),
-         text("a step of %1 mm ends on the part's end", {formatReal(fitted(ends[k], fit).step)}),
-         {},
-         {{"rest_mm", rest}, {"step_mm", fitted(ends[k], fit).step}}});
+    context.add({Severity::Warning,
+                 "slicing.rest",
+                 text("part %1 goes on for %2 mm above its last layer",
+                      {std::to_string(k + 1), formatFixed(rest, 3)}),
+                 text("a step of %1 mm ends on the part's end",
+                      {formatFixed(fitted(ends[k], fit).step, 4)}),
+                 {},
+                 {{"rest_mm", rest}, {"step_mm", fitted(ends[k], fit).step}}});
   }
 }
 

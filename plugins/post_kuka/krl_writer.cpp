@@ -165,6 +165,7 @@ public:
 
   void print(const ArcOn& arc) {
     state_.job = arc.job;
+    arc_ = true;
     if (dryRun()) {
       printRemark(out_, "Arc on: left out, dry run");
     } else if (dialect_.arc == Arc::Output) {
@@ -175,6 +176,7 @@ public:
   }
 
   void print(const ArcOff& arc) {
+    arc_ = false;
     if (dryRun()) {
       printRemark(out_, "Arc off: left out, dry run");
       return;
@@ -193,7 +195,10 @@ public:
 
   void print(const SetProcess& process) {
     if (!dialect_.wireVariable.empty() && !dryRun()) {
-      out_.text(dialect_.wireVariable).text(" = ");
+      // An assignment between moves is carried out in the advance run, several moves too early.
+      out_.text(arc_ ? "TRIGGER WHEN DISTANCE=0 DELAY=0 DO " : "")
+          .text(dialect_.wireVariable)
+          .text(" = ");
       out_.fixed<3>(wcam::toFileUnit(wcam::QuantityKind::WireSpeed, process.wireSpeed)).text("\n");
     }
   }
@@ -431,6 +436,7 @@ private:
   ModalState& state_;
   ModalNumber pathSpeed_;
   ModalNumber axisSpeed_;
+  bool arc_ = false;  ///< on
 };
 
 }  // namespace

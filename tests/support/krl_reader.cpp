@@ -189,7 +189,16 @@ private:
       basicMotion(scanner);
     } else if (scanner.accept("GLOBAL INTERRUPT DECL") || scanner.accept("INTERRUPT ON")) {
       return;
+    } else if (scanner.accept("TRIGGER WHEN DISTANCE=0 DELAY=0 DO ")) {
+      if (!arc_) {
+        problem("a trigger without an arc: " + statement);
+      }
+      assignment(std::string(scanner.rest()));
     } else if (statement.find('=') != std::string::npos || scanner.rest().starts_with("$")) {
+      // The advance run carries it out some moves before its place.
+      if (arc_ && !scanner.rest().starts_with("$")) {
+        problem("a variable changes in the advance run with the arc on: " + statement);
+      }
       assignment(statement);
     } else {
       const std::string name = scanner.word();

@@ -52,6 +52,58 @@ TEST(MeshRepair, DegenerateAndDuplicateTrianglesGo) {
   EXPECT_EQ(mesh.triangles, clean);
 }
 
+TEST(MeshRepair, WallsBetweenTouchingBodiesAreDropped) {
+  // Two cubes of two triangles a side that share the corners of one side.
+  TriangleMesh two = test::boxMesh({0, 0, 0}, {10, 10, 10});
+  const TriangleMesh other = test::boxMesh({10, 0, 0}, {20, 10, 10});
+  for (const auto& t : other.triangles) {
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = other.vertices[t[k]];
+      const auto same = std::find_if(two.vertices.begin(), two.vertices.end(),
+                                     [&p](const Vec3& q) { return (p - q).norm() < 1e-9; });
+      corners[k] = static_cast<std::uint32_t>(same - two.vertices.begin());
+      if (same == two.vertices.end()) {
+        two.vertices.push_back(p);
+      }
+    }
+    two.triangles.push_back(corners);
+  }
+  const std::size_t all = two.triangles.size();
+  const Dropped dropped = dropInnerWalls(two);
+  EXPECT_EQ(dropped.count, 4U);
+  EXPECT_EQ(two.triangles.size(), all - 4);
+  EXPECT_TRUE(HalfEdges(two).closed());
+  EXPECT_TRUE(HalfEdges(two).nonManifoldEdges().empty());
+}
+
+TEST(MeshRepair, SheetsWithTwoSidesAreKept) {
+  TriangleMesh sheet;
+  sheet.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}};
+  EXPECT_EQ(dropInnerWalls(sheet).count, 0U);
+  // As a fin on a box: three of its sides are free.
+  TriangleMesh fin = test::boxMesh({0, 0, 0}, {10, 10, 10});
+  const auto find = [&fin](const Vec3& p) {
+    for (std::uint32_t v = 0; v < fin.vertices.size(); ++v) {
+      if ((fin.vertices[v] - p).norm() < 1e-9) {
+        return v;
+      }
+    }
+    fin.vertices.push_back(p);
+    return static_cast<std::uint32_t>(fin.vertices.size() - 1);
+  };
+  const std::uint32_t a = find({0, 0, 10});
+  const std::uint32_t b = find({10, 0, 10});
+  const std::uint32_t c = find({10, -5, 15});
+  const std::uint32_t d = find({0, -5, 15});
+  for (const auto& t :
+       std::vector<std::array<std::uint32_t, 3>>{{a, b, c}, {a, c, d}, {c, b, a}, {d, c, a}}) {
+    fin.triangles.push_back(t);
+  }
+  EXPECT_EQ(dropInnerWalls(fin).count, 0U);
+}
+
 TEST(MeshRepair, RandomlyTurnedTrianglesAreTurnedBack) {
   const unsigned seed = 11;
   SCOPED_TRACE(seed);

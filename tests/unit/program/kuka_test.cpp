@@ -297,6 +297,36 @@ TEST(Kuka, KeepsBackAProgramThatLosesWireChanges) {
   EXPECT_EQ(violations(R"({"wire_variable": "WIRE"})"), 0U);
 }
 
+TEST(Kuka, WireChangesWithTheArcOnWaitForTheirPlace) {
+  auto program = wcam::testing::sampleProgram();
+  bool arc = false;
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < program.instructions.size(); ++i) {
+    const program::Action& action = program.instructions[i].action;
+    arc = std::holds_alternative<program::ArcOn>(action) ||
+          (arc && !std::holds_alternative<program::ArcOff>(action));
+    if (arc && std::holds_alternative<program::MoveLinear>(action)) {
+      program::SetProcess set;
+      set.wireSpeed = 40.0 + static_cast<double>(++changes);
+      program.instructions.insert(program.instructions.begin() + static_cast<std::ptrdiff_t>(i),
+                                  {set, program.instructions[i].origin});
+      ++i;
+    }
+  }
+  ASSERT_GT(changes, 0U);
+  const auto files =
+      runPost("wcam.post.kuka", program, R"({"mode": "cartesian", "wire_variable": "WIRE"})");
+  EXPECT_EQ(readKrl(files).problems, std::vector<std::string>{});
+  const std::string& text = files.at(0).second;
+  std::size_t triggers = 0;
+  for (std::size_t at = text.find("TRIGGER WHEN DISTANCE=0 DELAY=0 DO WIRE = ");
+       at != std::string::npos; at = text.find("TRIGGER", at + 1)) {
+    ++triggers;
+  }
+  EXPECT_EQ(triggers, changes);
+  EXPECT_NE(text.find("\nWIRE = 3.000\n"), std::string::npos);  // before the arc
+}
+
 TEST(Kuka, DialectOfBaseAndArc) {
   const auto program = wcam::testing::sampleProgram();
   const auto text = [&](const std::string& params) {
