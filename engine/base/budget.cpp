@@ -24,11 +24,9 @@ constexpr std::array kItems = {
     BudgetItem{"memory_mb", &Budget::memoryMb, "memory of the program, MiB"},
     BudgetItem{"file_mb", &Budget::fileMb, "size of one input file, MiB"},
     BudgetItem{"json_values", &Budget::jsonValues, "values of one JSON file"},
-    BudgetItem{"triangles", &Budget::triangles, "triangles of one part"},
     BudgetItem{"layers", &Budget::layers, "layers of one operation"},
     BudgetItem{"points", &Budget::points, "points of the path of one operation"},
-    BudgetItem{"parts", &Budget::parts, "parts of one project"},
-    BudgetItem{"cad_seconds", &Budget::cadSeconds, "processor time of the CAD reader, s"},
+    BudgetItem{"parts", &Budget::parts, "parts of one operation"},
 };
 
 const BudgetItem* itemOf(std::string_view key) noexcept {

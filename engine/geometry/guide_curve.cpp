@@ -266,7 +266,10 @@ bool isDecimalComma(std::string_view line) {
 }  // namespace
 
 std::shared_ptr<const GuideCurve> guideFromFile(const std::string& file) {
-  const std::string text = readFile(pathFromText(file));
+  return guideFromText(readFile(pathFromText(file)), file);
+}
+
+std::shared_ptr<const GuideCurve> guideFromText(std::string_view text, const std::string& file) {
   std::vector<Vec3> points;
   int lineNumber = 0;
   for (const std::string& raw : splitText(text, '\n')) {

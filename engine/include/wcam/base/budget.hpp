@@ -18,12 +18,9 @@ struct Budget {
   std::uint64_t memoryMb = 8192;         ///< memory of the program, MiB
   std::uint64_t fileMb = 4096;           ///< one input file, MiB
   std::uint64_t jsonValues = 5'000'000;  ///< values of one JSON file
-  std::uint64_t triangles = 40'000'000;  ///< of one part
   std::uint64_t layers = 1'000'000;      ///< of one operation
   std::uint64_t points = 20'000'000;     ///< of the path of one operation
-  std::uint64_t parts = 20'000;          ///< of one project
-  std::uint64_t cadSeconds = 600;        ///< processor time of the CAD reader for a file of up to
-                                         ///< 10 MiB, s; a minute more for each further MiB
+  std::uint64_t parts = 20'000;          ///< of one operation
 };
 
 /// A member of the budget with its name in WCAM_BUDGET and `--budget`.

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wcam::geometry {
@@ -34,6 +35,8 @@ std::shared_ptr<const GuideCurve> guideFromPoints(std::vector<Vec3> points);
 /// Points of a text file: three numbers per line (comma, semicolon or blank separated), '#'
 /// comments, an optional header line. @throws Error(InputInvalid) naming file and line
 std::shared_ptr<const GuideCurve> guideFromFile(const std::string& file);
+/// The same from the text of a file. @param file its name, for messages
+std::shared_ptr<const GuideCurve> guideFromText(std::string_view text, const std::string& file);
 /// Formulas x(t), y(t), z(t) over [begin, end] in mm; pi and the usual functions are known.
 /// @throws Error(InvalidArgument) naming the formula and the position, or the parameter where the
 /// curve jumps or leaves the range of plausible lengths
