@@ -3,6 +3,7 @@
 
 #include "wcam/base/file_io.hpp"
 
+#include "wcam/base/budget.hpp"
 #include "wcam/base/error.hpp"
 
 #include <fcntl.h>
@@ -51,6 +52,14 @@ private:
 
 }  // namespace
 
+void requireFileSize(std::uint64_t bytes, const std::filesystem::path& file) {
+  constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20U;
+  if (const std::uint64_t size = (bytes + kMebibyte - 1) / kMebibyte; size > budget().fileMb) {
+    requireBudget(size, "file_mb", text("the file has %1 MiB", {std::to_string(size)}),
+                  pathText(file));
+  }
+}
+
 std::string readFile(const std::filesystem::path& file) {
   // Opening a pipe would wait for its writer.
   const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -71,12 +80,14 @@ std::string readFile(const std::filesystem::path& file) {
     throw Error(ErrorCode::InputInvalid, "is a device or a pipe, not a file", pathText(file),
                 "save the content in a file first");
   }
+  requireFileSize(static_cast<std::uint64_t>(info.st_size > 0 ? info.st_size : 0), file);
   std::string content;
   content.resize(static_cast<std::size_t>(info.st_size > 0 ? info.st_size : 0));
   std::size_t done = 0;
   // The size is only a hint: files may grow.
   while (true) {
     if (done == content.size()) {
+      requireFileSize(done, file);
       content.resize(done + 65536);
     }
     const ssize_t got = ::read(fd.get(), content.data() + done, content.size() - done);

@@ -3,6 +3,7 @@
 
 #include "wcam/base/json.hpp"
 
+#include "wcam/base/budget.hpp"
 #include "wcam/base/error.hpp"
 #include "wcam/base/text.hpp"
 
@@ -12,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <unordered_set>
 
 namespace wcam {
 
@@ -99,7 +101,7 @@ public:
   bool end_array() override { return close(); }
 
   bool key(string_t& v) override {
-    if (stack_.back().value.contains(v)) {
+    if (!stack_.back().keys.insert(v).second) {
       fail(text("the key '%1' stands twice in one object", {v}));
     }
     stack_.back().key = std::move(v);
@@ -124,6 +126,7 @@ private:
   struct Level {
     Value value;
     std::string key;
+    std::unordered_set<std::string> keys;  ///< only asked, so that its order does not matter
   };
 
   [[noreturn]] void fail(const Text& message) const {
@@ -138,7 +141,7 @@ private:
     if (stack_.size() >= kMaxDepth) {
       fail("nested deeper than 200 levels");
     }
-    stack_.push_back({std::move(container), {}});
+    stack_.push_back({std::move(container), {}, {}});
     return true;
   }
 
@@ -149,6 +152,9 @@ private:
   }
 
   bool put(Value value) {
+    if (++count_ > budget().jsonValues) {
+      requireBudget(count_, "json_values", wcam::text("the file holds too many values"), context_);
+    }
     if (stack_.empty()) {
       result_ = std::move(value);
     } else if (stack_.back().value.isArray()) {
@@ -165,6 +171,7 @@ private:
   std::string context_;
   std::vector<Level> stack_;
   Value result_;
+  std::uint64_t count_ = 0;
 };
 
 void writeText(std::string& out, const std::string& text) {

@@ -5,6 +5,7 @@
 
 #include "wcam/base/json.hpp"
 #include "wcam/base/param_condition.hpp"
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/text.hpp"
 
 #include <algorithm>
@@ -33,6 +34,15 @@ std::string limitText(double limit, const ParamDef& def) {
   return unit.empty() ? text : text + " " + unit;
 }
 
+/// The declared limits, and where there are none those of the quantity.
+PlausibleRange limitsOf(const ParamDef& def) {
+  if (def.quantity == QuantityKind::None) {
+    return {def.info.min, def.info.max};
+  }
+  const PlausibleRange range = plausibleRange(def.quantity);
+  return {std::max(def.info.min, range.min), std::min(def.info.max, range.max)};
+}
+
 /// Empty when the number keeps the limits.
 Text limitProblem(double number, const ParamDef& def) {
   if (!std::isfinite(number)) {
@@ -46,7 +56,7 @@ Text limitProblem(double number, const ParamDef& def) {
     return text("%1 is above the maximum of %2",
                 {limitText(number, def), limitText(def.info.max, def)});
   }
-  return {};
+  return implausible(number, def.quantity);
 }
 
 std::string choiceList(const ParamDef& def) {
@@ -304,11 +314,12 @@ Value ParamSchema::jsonSchema(const std::string& title) const {
       property.set("description", def.info.help);
     }
     const auto limits = [&def](Value& target) {
-      if (std::isfinite(def.info.min)) {
-        target.set("minimum", def.info.min);
+      const PlausibleRange range = limitsOf(def);
+      if (std::isfinite(range.min)) {
+        target.set("minimum", range.min);
       }
-      if (std::isfinite(def.info.max)) {
-        target.set("maximum", def.info.max);
+      if (std::isfinite(range.max)) {
+        target.set("maximum", range.max);
       }
     };
     switch (def.type) {
@@ -370,11 +381,12 @@ std::string ParamSchema::markdown() const {
       type += ", " + unit;
     }
     std::string limits;
-    if (std::isfinite(def.info.min)) {
-      limits += "≥ " + limitText(def.info.min, def);
+    const PlausibleRange range = limitsOf(def);
+    if (std::isfinite(range.min)) {
+      limits += "≥ " + limitText(range.min, def);
     }
-    if (std::isfinite(def.info.max)) {
-      limits += (limits.empty() ? "≤ " : ", ≤ ") + limitText(def.info.max, def);
+    if (std::isfinite(range.max)) {
+      limits += (limits.empty() ? "≤ " : ", ≤ ") + limitText(range.max, def);
     }
     text += "| `" + def.info.key + "` | " + type + " | `" + toCompactJson(def.defaultValue) +
             "` | " + limits + " | " + toString(def.info.level) + " | " + def.info.label +

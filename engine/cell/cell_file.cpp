@@ -17,6 +17,7 @@ namespace wcam::cell {
 namespace {
 
 using detail::joinPath;
+using detail::lengthOrAngle;
 using detail::Reader;
 using detail::readJoints;
 using detail::readRange;
@@ -49,7 +50,8 @@ void readZeroConventions(Reader& reader, const Value& robot, Cell& cell) {
       const auto i = static_cast<std::size_t>(j);
       convention.offsets(j) =
           fromJointUnit(cell.robot.joints[i],
-                        reader.number(offsets.asArray()[i], path + "[" + std::to_string(j) + "]"));
+                        reader.number(offsets.asArray()[i], path + "[" + std::to_string(j) + "]",
+                                      lengthOrAngle(cell.robot.joints[i])));
     }
     cell.zeroConventions.push_back(std::move(convention));
   }
@@ -99,8 +101,9 @@ void readTorch(Reader& reader, const Value& file, Cell& cell) {
     return;
   }
   reader.knownKeys(*cable, "torch.cable", {"limit", "zero"});
-  cell.cable = CableLimit{degToRad(reader.positive(*cable, "torch.cable", "limit", true, 1.0)),
-                          degToRad(reader.number(*cable, "torch.cable", "zero", false, 0.0))};
+  cell.cable = CableLimit{
+      degToRad(reader.positive(*cable, "torch.cable", "limit", QuantityKind::Angle, true, 1.0)),
+      degToRad(reader.number(*cable, "torch.cable", "zero", QuantityKind::Angle, false, 0.0))};
 }
 
 void readPositioner(Reader& reader, const Value& file, Cell& cell) {
@@ -226,15 +229,15 @@ void readSum(Reader& reader, const Value& value, const std::string& path, Cell& 
         continue;
       }
       (cell.joint(j).prismatic() ? linear : rotary) = true;
-      sum.factors[static_cast<std::size_t>(j)] = reader.number(factor, place);
+      sum.factors[static_cast<std::size_t>(j)] = reader.number(factor, place, QuantityKind::Ratio);
     }
     if (linear && rotary) {
       reader.problem(joinPath(path, "joints"), "adds lengths to angles");
     }
   }
   if (const Value* limits = reader.member(value, path, "limits", true); limits != nullptr) {
-    const auto range =
-        readRange(reader, *limits, joinPath(path, "limits"), linear ? "mm" : "degrees");
+    const auto range = readRange(reader, *limits, joinPath(path, "limits"),
+                                 linear ? QuantityKind::Length : QuantityKind::Angle);
     sum.min = linear ? range[0] : degToRad(range[0]);
     sum.max = linear ? range[1] : degToRad(range[1]);
   }

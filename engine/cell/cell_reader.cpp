@@ -4,6 +4,7 @@
 #include "cell_reader.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/cell/angles.hpp"
@@ -54,11 +55,16 @@ const Value* Reader::member(const Value& parent,
   return value;
 }
 
-double Reader::number(const Value& value, const std::string& path, double fallback) {
-  if (!value.isNumber() || !std::isfinite(value.asReal())) {
-    problem(path, value.isNumber()
-                      ? wcam::text("is not a finite number")
-                      : wcam::text("expected a number, got %1", {toString(value.type())}));
+double Reader::number(const Value& value,
+                      const std::string& path,
+                      QuantityKind kind,
+                      double fallback) {
+  if (!value.isNumber()) {
+    problem(path, wcam::text("expected a number, got %1", {toString(value.type())}));
+    return fallback;
+  }
+  if (const Text wrong = implausible(value.asReal(), kind); !wrong.empty()) {
+    problem(path, wrong);
     return fallback;
   }
   return value.asReal();
@@ -67,19 +73,22 @@ double Reader::number(const Value& value, const std::string& path, double fallba
 double Reader::number(const Value& parent,
                       const std::string& parentPath,
                       const std::string& key,
+                      QuantityKind kind,
                       bool required,
                       double fallback) {
   const Value* value = member(parent, parentPath, key, required);
-  return value == nullptr ? fallback : number(*value, joinPath(parentPath, key), fallback);
+  return value == nullptr ? fallback : number(*value, joinPath(parentPath, key), kind, fallback);
 }
 
 double Reader::positive(const Value& parent,
                         const std::string& parentPath,
                         const std::string& key,
+                        QuantityKind kind,
                         bool required,
                         double fallback) {
-  const double value = number(parent, parentPath, key, required, fallback);
-  if (parent.contains(key) && parent.find(key)->isNumber() && !(value > 0.0)) {
+  const double value = number(parent, parentPath, key, kind, required, fallback);
+  const Value* given = parent.find(key);
+  if (given != nullptr && given->isNumber() && !(given->asReal() > 0.0)) {
     problem(joinPath(parentPath, key), "must be greater than 0");
     return fallback;
   }
@@ -105,7 +114,7 @@ std::string Reader::text(const Value& parent,
   return value->asString();
 }
 
-Vec3 Reader::vector(const Value& value, const std::string& path) {
+Vec3 Reader::vector(const Value& value, const std::string& path, QuantityKind kind) {
   Vec3 result = Vec3::Zero();
   if (!value.isArray() || value.size() != 3) {
     problem(path, "expected a list of 3 numbers");
@@ -113,7 +122,7 @@ Vec3 Reader::vector(const Value& value, const std::string& path) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     result(static_cast<Eigen::Index>(i)) =
-        number(value.asArray()[i], path + "[" + std::to_string(i) + "]");
+        number(value.asArray()[i], path + "[" + std::to_string(i) + "]", kind);
   }
   return result;
 }
@@ -174,7 +183,7 @@ Eigen::Matrix3d Reader::axes(const Value& value, const std::string& path) {
   for (const char* key : {"x", "y", "z"}) {
     const Value* axis = member(value, path, key, true);
     if (axis != nullptr) {
-      printed.col(column) = vector(*axis, joinPath(path, key));
+      printed.col(column) = vector(*axis, joinPath(path, key), QuantityKind::Ratio);
     }
     ++column;
   }
@@ -184,6 +193,7 @@ Eigen::Matrix3d Reader::axes(const Value& value, const std::string& path) {
 Pose Reader::matrix(const Value& value, const std::string& path) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
   bool good = value.isArray() && value.size() == 4;
+  Text wrong;
   for (std::size_t i = 0; good && i < 4; ++i) {
     const Value& row = value.asArray()[i];
     good = row.isArray() && row.size() == 4;
@@ -191,11 +201,18 @@ Pose Reader::matrix(const Value& value, const std::string& path) {
       const Value& item = row.asArray()[k];
       good = item.isNumber() && std::isfinite(item.asReal());
       m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = good ? item.asReal() : 0.0;
+      if (good && k == 3 && wrong.empty()) {
+        wrong = implausible(item.asReal(), QuantityKind::Length);
+      }
     }
   }
   Pose pose = Pose::Identity();
   if (!good || m.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
     problem(path, "expected 4 rows of 4 numbers, the last row 0 0 0 1");
+    return pose;
+  }
+  if (!wrong.empty()) {
+    problem(path, wrong);
     return pose;
   }
   pose.linear() = orthonormal(m.topLeftCorner<3, 3>(), path);
@@ -216,7 +233,7 @@ Eigen::Matrix3d Reader::rotation(const Value& value, const std::string& path) {
   for (const Convention& convention : kConventions) {
     if (const Value* angles = value.find(convention.key); angles != nullptr) {
       ++found;
-      const Vec3 degrees = vector(*angles, joinPath(path, convention.key));
+      const Vec3 degrees = vector(*angles, joinPath(path, convention.key), QuantityKind::Angle);
       result = convention.toMatrix(degrees * (kPi / 180.0));
     }
   }
@@ -249,7 +266,7 @@ Pose Reader::pose(const Value& parent,
   }
   Pose result = Pose::Identity();
   if (const Value* xyz = member(*value, path, "xyz", true); xyz != nullptr) {
-    result.translation() = vector(*xyz, joinPath(path, "xyz"));
+    result.translation() = vector(*xyz, joinPath(path, "xyz"), QuantityKind::Length);
   }
   result.linear() = rotation(*value, path);
   return result;
@@ -258,13 +275,13 @@ Pose Reader::pose(const Value& parent,
 std::array<double, 2> readRange(Reader& reader,
                                 const Value& value,
                                 const std::string& path,
-                                const std::string& unit) {
+                                QuantityKind kind) {
   if (!value.isArray() || value.size() != 2) {
-    reader.problem(path, wcam::text("expected [min, max] in %1", {unit}));
+    reader.problem(path, wcam::text("expected [min, max] in %1", {fileUnit(kind)}));
     return {-1.0, 1.0};
   }
-  const std::array<double, 2> range = {reader.number(value.asArray()[0], path + "[0]"),
-                                       reader.number(value.asArray()[1], path + "[1]")};
+  const std::array<double, 2> range = {reader.number(value.asArray()[0], path + "[0]", kind, -1.0),
+                                       reader.number(value.asArray()[1], path + "[1]", kind, 1.0)};
   if (!(range[0] < range[1]) && value.asArray()[0].isNumber() && value.asArray()[1].isNumber()) {
     reader.problem(path, "the minimum must be below the maximum");
   }

@@ -4,6 +4,7 @@
 
 #include "wcam/base/context.hpp"
 #include "wcam/base/param.hpp"
+#include "wcam/base/quantity.hpp"
 #include "wcam/base/value.hpp"
 #include "wcam/cell/chain.hpp"
 
@@ -39,11 +40,16 @@ public:
                       const std::string& key,
                       bool required);
 
-  double number(const Value& value, const std::string& path, double fallback = 0.0);
+  /// A number in the file unit of its kind, within the plausible range of it.
+  double number(const Value& value,
+                const std::string& path,
+                QuantityKind kind,
+                double fallback = 0.0);
 
   double number(const Value& parent,
                 const std::string& parentPath,
                 const std::string& key,
+                QuantityKind kind,
                 bool required,
                 double fallback);
 
@@ -51,6 +57,7 @@ public:
   double positive(const Value& parent,
                   const std::string& parentPath,
                   const std::string& key,
+                  QuantityKind kind,
                   bool required,
                   double fallback);
 
@@ -59,7 +66,7 @@ public:
                    const std::string& key,
                    bool required);
 
-  Vec3 vector(const Value& value, const std::string& path);
+  Vec3 vector(const Value& value, const std::string& path, QuantityKind kind);
 
   /// Keys that nothing reads are mistakes: a mistyped "limits" must not pass as "no limits".
   void knownKeys(const Value& object, const std::string& path, std::vector<std::string> keys);
@@ -80,11 +87,16 @@ private:
   std::vector<ParamProblem> problems_;
 };
 
-/// [min, max] in the file's unit.
+/// [min, max] in the file unit of the kind.
 std::array<double, 2> readRange(Reader& reader,
                                 const Value& value,
                                 const std::string& path,
-                                const std::string& unit);
+                                QuantityKind kind);
+
+/// What the values and limits of a joint measure.
+inline QuantityKind lengthOrAngle(const Joint& joint) {
+  return joint.prismatic() ? QuantityKind::Length : QuantityKind::Angle;
+}
 
 /// The joints of a robot or positioner, in the file's order.
 void readJoints(Reader& reader, const Value& parent, const std::string& path, Chain& chain);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/cell/joint_text.hpp"
 
@@ -13,6 +14,10 @@
 namespace wcam::cell::detail {
 
 namespace {
+
+/// Beyond what any drive gives, per s² and s³: damage, or another unit.
+constexpr double kMostAcceleration = 1e9;
+constexpr double kMostJerk = 1e12;
 
 void readLimits(Reader& reader, const Value& value, const std::string& path, Joint& joint) {
   const Value* limits = value.find("limits");
@@ -39,7 +44,7 @@ void readLimits(Reader& reader, const Value& value, const std::string& path, Joi
     reader.problem(path, "has limits and is endless; keep one");
     return;
   }
-  const auto range = readRange(reader, *limits, joinPath(path, "limits"), unit);
+  const auto range = readRange(reader, *limits, joinPath(path, "limits"), lengthOrAngle(joint));
   joint.min = fromJointUnit(joint, range[0]);
   joint.max = fromJointUnit(joint, range[1]);
 }
@@ -76,7 +81,8 @@ void readCoupling(Reader& reader,
     }
     joint.coupling.resize(
         std::max(joint.coupling.size(), static_cast<std::size_t>(it - before.begin()) + 1));
-    joint.coupling[static_cast<std::size_t>(it - before.begin())] = reader.number(factor, place);
+    joint.coupling[static_cast<std::size_t>(it - before.begin())] =
+        reader.number(factor, place, QuantityKind::Ratio);
   }
 }
 
@@ -95,27 +101,41 @@ Joint readJoint(Reader& reader,
        "max_speed", "max_acceleration", "max_jerk", "ratio", "resolution", "backlash"});
   joint.name = reader.text(value, path, "name", true);
   readType(reader, value, path, joint);
-  joint.alpha = degToRad(reader.number(value, path, "alpha", true, 0.0));
-  joint.d = reader.number(value, path, "d", true, 0.0);
-  joint.theta = degToRad(reader.number(value, path, "theta", true, 0.0));
-  joint.r = reader.number(value, path, "r", true, 0.0);
-  joint.sign = reader.number(value, path, "sign", false, 1.0);
+  joint.alpha = degToRad(reader.number(value, path, "alpha", QuantityKind::Angle, true, 0.0));
+  joint.d = reader.number(value, path, "d", QuantityKind::Length, true, 0.0);
+  joint.theta = degToRad(reader.number(value, path, "theta", QuantityKind::Angle, true, 0.0));
+  joint.r = reader.number(value, path, "r", QuantityKind::Length, true, 0.0);
+  joint.sign = reader.number(value, path, "sign", QuantityKind::Ratio, false, 1.0);
   if (std::abs(joint.sign) != 1.0) {
     reader.problem(joinPath(path, "sign"), "must be 1 or -1");
     joint.sign = 1.0;
   }
   readCoupling(reader, value, path, before, joint);
   readLimits(reader, value, path, joint);
-  const auto positive = [&](const char* key, bool required, double fallback) {
-    return fromJointUnit(joint, reader.positive(value, path, key, required, fallback));
+  const auto positive = [&](const char* key, QuantityKind kind, bool required, double fallback) {
+    return fromJointUnit(joint, reader.positive(value, path, key, kind, required, fallback));
   };
   const double inf = std::numeric_limits<double>::infinity();
-  joint.maxSpeed = positive("max_speed", true, 1.0);
-  joint.maxAcceleration = positive("max_acceleration", false, inf);
-  joint.maxJerk = positive("max_jerk", false, inf);
-  joint.ratio = reader.positive(value, path, "ratio", false, 0.0);
-  joint.resolution = positive("resolution", false, 0.0);
-  joint.backlash = positive("backlash", false, 0.0);
+  const QuantityKind way = lengthOrAngle(joint);
+  const QuantityKind rate = joint.prismatic() ? QuantityKind::Speed : QuantityKind::AngularSpeed;
+  joint.maxSpeed = positive("max_speed", rate, true, 1.0);
+  joint.maxAcceleration = positive("max_acceleration", QuantityKind::None, false, inf);
+  joint.maxJerk = positive("max_jerk", QuantityKind::None, false, inf);
+  const std::string unit = fileUnit(lengthOrAngle(joint));
+  const auto notBeyond = [&](const char* key, double most, const std::string& perTime) {
+    const Value* given = value.find(key);
+    if (given != nullptr && given->isNumber()) {
+      const Text wrong = outOfRange(given->asReal(), {0.0, most}, unit + perTime);
+      if (!wrong.empty()) {
+        reader.problem(joinPath(path, key), wrong);
+      }
+    }
+  };
+  notBeyond("max_acceleration", kMostAcceleration, "/s2");
+  notBeyond("max_jerk", kMostJerk, "/s3");
+  joint.ratio = reader.positive(value, path, "ratio", QuantityKind::Ratio, false, 0.0);
+  joint.resolution = positive("resolution", way, false, 0.0);
+  joint.backlash = positive("backlash", way, false, 0.0);
   return joint;
 }
 

@@ -3,6 +3,7 @@
 
 #include "wcam/base/error.hpp"
 #include "wcam/base/file_io.hpp"
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/cell/shapes.hpp"
 #include "wcam/io/import.hpp"
@@ -102,9 +103,13 @@ private:
     return member->asString();
   }
 
+  /// A length in mm.
   double number(const Value& value, const std::string& path) {
-    if (!value.isNumber() || !std::isfinite(value.asReal())) {
-      problem(path, "expected a finite number");
+    const Text wrong = value.isNumber()
+                           ? implausible(value.asReal(), QuantityKind::Length)
+                           : wcam::text("expected a number, got %1", {toString(value.type())});
+    if (!wrong.empty()) {
+      problem(path, wrong);
       return 0.0;
     }
     return value.asReal();
@@ -117,7 +122,7 @@ private:
       return 0.0;
     }
     const double result = number(*member, path + "." + key);
-    if (member->isNumber() && !(result > 0.0)) {
+    if (member->isNumber() && !(member->asReal() > 0.0)) {
       problem(path + "." + key, "must be greater than 0");
     }
     return result;

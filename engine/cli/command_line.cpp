@@ -106,6 +106,11 @@ void CommandLine::addCommon(CLI::App& target) {
       .add_option("--threads", options_.threads, "Number of threads (default: one per processor)")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
+  target
+      .add_option("--budget", options_.budget,
+                  "Change how much a run may take, e.g. memory_mb=4096 (repeatable)")
+      ->type_name("KEY=N")
+      ->allow_extra_args(false);
   target.add_flag("--quiet", options_.quiet, "Print errors and violations only");
   target.add_option("--plugin", options_.plugins, "Plugin library to load first (repeatable)")
       ->type_name("FILE")

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/budget.hpp"
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/parallel.hpp"
+#include "wcam/base/text.hpp"
 #include "wcam/plugin/crash_notice.hpp"
 #include "wcam/project/report.hpp"
 
@@ -82,13 +84,15 @@ int guarded(int argc, char** argv, const std::stop_token& stop, cli::Console& co
       return 0;
     }
     console = cli::Console(line.options().quiet);
+    if (!line.options().budget.empty()) {
+      setBudget(joinText(line.options().budget, ","));
+    }
+    limitMemory();
     return runVerb(line, console, stop);
   } catch (const Error& error) {
     return fail(error, console, json);
   } catch (const std::bad_alloc&) {
-    return fail(
-        Error(ErrorCode::JobFailed, "there is not enough memory", {}, "use a coarser part or step"),
-        console, json);
+    return fail(outOfMemory(), console, json);
   } catch (const std::exception& error) {
     return fail(Error(ErrorCode::Internal, error.what(), "unexpected",
                       "please report this with the project file"),

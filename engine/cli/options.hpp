@@ -23,6 +23,7 @@ struct Options {
   bool json = false;
   int threads = 0;
   bool quiet = false;
+  std::vector<std::string> budget;  ///< KEY=N
   std::vector<std::string> plugins;
   bool noUserPlugins = false;
   // verbs

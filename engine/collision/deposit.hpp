@@ -44,6 +44,15 @@ public:
 private:
   class Filler;
 
+  /// Of each slab of blocks the runs that can reach it, in order.
+  struct SlabRuns {
+    std::vector<std::size_t> begin;  ///< places in `runs`, one more than there are slabs
+    std::vector<std::uint32_t> runs;
+  };
+
+  [[nodiscard]] SlabRuns slabRuns(const std::vector<DepositRod>& runs,
+                                  std::size_t slabs,
+                                  const JobContext& context) const;
   void fill(const std::vector<DepositRod>& runs, const JobContext& context);
 
   [[nodiscard]] std::size_t indexOf(int x, int y, int z) const {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 namespace wcam::collision::detail {
 
@@ -15,6 +16,8 @@ namespace {
 
 /// Voxels finer than this tell nothing about real beads, mm.
 constexpr double kFinest = 1.0;
+/// Rods nearer than this part of a voxel's edge count as one; the field is coarser by more.
+constexpr double kThin = 0.125;
 constexpr int kBlock = 8;  ///< voxels along a block's edge
 /// What floats lose over a part of metres, mm.
 constexpr double kRounding = 1e-2;
@@ -57,6 +60,50 @@ std::vector<DepositRod> joinedRods(const std::vector<DepositRod>& rods, double l
   return runs;
 }
 
+/// Both ends of a rod in cells of a grid.
+using RodCells = std::array<std::int64_t, 6>;
+
+struct RodCellsHash {
+  std::size_t operator()(const RodCells& cells) const {
+    std::size_t hash = 0;
+    for (const std::int64_t cell : cells) {
+      hash = hash * 0x9E3779B97F4A7C15U + static_cast<std::size_t>(cell);
+    }
+    return hash;
+  }
+};
+
+/// Leaves out rods that lie within `distance` of an earlier one, which is made as much thicker and
+/// so holds them: layers much thinner than the grid is fine.
+std::vector<DepositRod> thinnedRods(const std::vector<DepositRod>& rods, double distance) {
+  const double cell = distance / std::sqrt(3.0);
+  std::unordered_map<RodCells, std::size_t, RodCellsHash> known;
+  std::vector<DepositRod> kept;
+  std::vector<double> thickest;  ///< of those that each stands for; the first is its own
+  std::vector<bool> standsForMore;
+  for (const DepositRod& rod : rods) {
+    RodCells cells{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      cells[k] = static_cast<std::int64_t>(std::floor(rod.a(axis) / cell));
+      cells[k + 3] = static_cast<std::int64_t>(std::floor(rod.b(axis) / cell));
+    }
+    const auto [at, fresh] = known.emplace(cells, kept.size());
+    if (fresh) {
+      kept.push_back(rod);
+      thickest.push_back(rod.radius);
+      standsForMore.push_back(false);
+    } else {
+      thickest[at->second] = std::max(thickest[at->second], rod.radius);
+      standsForMore[at->second] = true;
+    }
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    kept[i].radius = standsForMore[i] ? thickest[i] + distance : kept[i].radius;
+  }
+  return kept;
+}
+
 }  // namespace
 
 DepositField::DepositField(const std::vector<DepositRod>& rods,
@@ -85,7 +132,7 @@ DepositField::DepositField(const std::vector<DepositRod>& rods,
   while ((rods.back().order >> shift_) >= kNeverTick) {
     ++shift_;
   }
-  fill(joinedRods(rods, 2.0 * edge_), context);
+  fill(thinnedRods(joinedRods(rods, 2.0 * edge_), kThin * edge_), context);
 }
 
 /// Fills one slab of blocks: every run in order, block by block.
@@ -226,18 +273,57 @@ private:
   std::uint16_t tick_ = 0;
 };
 
+DepositField::SlabRuns DepositField::slabRuns(const std::vector<DepositRod>& runs,
+                                              std::size_t slabs,
+                                              const JobContext& context) const {
+  const double height = kBlock * edge_;
+  // The slabs that a run can reach, one more on both sides for rounding.
+  const auto reached = [&](const DepositRod& run) {
+    const double reach = run.radius + far_;
+    const double low = (std::min(run.a.z(), run.b.z()) - origin_.z() - reach) / height;
+    const double high = (std::max(run.a.z(), run.b.z()) - origin_.z() + reach) / height;
+    const auto last = static_cast<double>(slabs - 1);
+    return std::array<std::size_t, 2>{
+        static_cast<std::size_t>(std::clamp(std::floor(low) - 1.0, 0.0, last)),
+        static_cast<std::size_t>(std::clamp(std::floor(high) + 1.0, 0.0, last))};
+  };
+  SlabRuns of;
+  of.begin.assign(slabs + 1, 0);
+  for (const DepositRod& run : runs) {
+    const auto [first, last] = reached(run);
+    for (std::size_t slab = first; slab <= last; ++slab) {
+      ++of.begin[slab + 1];
+    }
+  }
+  for (std::size_t slab = 0; slab < slabs; ++slab) {
+    of.begin[slab + 1] += of.begin[slab];
+  }
+  context.check();
+  of.runs.resize(of.begin[slabs]);
+  std::vector<std::size_t> next(of.begin.begin(), of.begin.end() - 1);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto [first, last] = reached(runs[r]);
+    for (std::size_t slab = first; slab <= last; ++slab) {
+      of.runs[next[slab]++] = static_cast<std::uint32_t>(r);
+    }
+  }
+  return of;
+}
+
 void DepositField::fill(const std::vector<DepositRod>& runs, const JobContext& context) {
   first_.assign(indexOf(0, 0, size_.z()) * kLevels, kNeverTick);
-  // Every slab sees all runs in order: nothing depends on the number of threads.
+  // Every slab sees its runs in order: nothing depends on the number of threads.
+  const auto slabs = static_cast<std::size_t>((size_.z() + kBlock - 1) / kBlock);
+  const SlabRuns of = slabRuns(runs, slabs, context);
   parallelFor(
-      static_cast<std::size_t>((size_.z() + kBlock - 1) / kBlock), 1,
+      slabs, 1,
       [&](std::size_t slab) {
         Filler filler(*this, static_cast<int>(slab));
-        for (std::size_t r = 0; r < runs.size(); ++r) {
-          if (r % 256 == 0) {
+        for (std::size_t k = of.begin[slab]; k < of.begin[slab + 1]; ++k) {
+          if (k % 256 == 0) {
             context.check();
           }
-          filler.add(runs[r]);
+          filler.add(runs[of.runs[k]]);
         }
       },
       context);

@@ -3,8 +3,10 @@
 
 #include "wcam/geometry/guide_curve.hpp"
 
+#include "wcam/base/budget.hpp"
 #include "wcam/base/error.hpp"
 #include "wcam/base/file_io.hpp"
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 
@@ -137,14 +139,14 @@ public:
       formulas_.emplace_back(xyz[i], std::vector<std::string>{"t"},
                              "guide formula " + std::string(1, "xyz"[i]) + "(t)");
     }
-    const int kProbes = 64;
-    for (int i = 0; i <= kProbes; ++i) {
-      const double t = begin + (end - begin) * i / kProbes;
-      if (!value(t).allFinite()) {
-        throw Error(ErrorCode::InvalidArgument,
-                    text("the formula has no finite value at t = %1", {formatFixed(t, 6)}),
-                    "guide formula", "change the formula or its range");
-      }
+    constexpr int kProbes = 64;
+    Vec3 before = value(begin);
+    for (int i = 1; i <= kProbes; ++i) {
+      const double from = begin + (end - begin) * (i - 1) / kProbes;
+      const double to = begin + (end - begin) * i / kProbes;
+      const Vec3 here = value(to);
+      requireUnbroken(from, before, to, here);
+      before = here;
     }
   }
 
@@ -168,9 +170,41 @@ public:
   }
 
 private:
-  [[nodiscard]] Vec3 value(double t) const {
-    return {formulas_[0](t), formulas_[1](t), formulas_[2](t)};
+  /// Follows the larger half of a stretch down to rounding: there a smooth curve has all but
+  /// stopped, a jump is as large as ever, and a pole has left the range.
+  void requireUnbroken(double low, Vec3 atLow, double high, Vec3 atHigh) const {
+    constexpr int kHalvings = 44;
+    constexpr double kStopped = 1e-3;
+    const double whole = (atHigh - atLow).norm();
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (low + high);
+      const Vec3 atMiddle = value(middle);
+      const bool first = (atMiddle - atLow).norm() > (atHigh - atMiddle).norm();
+      (first ? high : low) = middle;
+      (first ? atHigh : atLow) = atMiddle;
+    }
+    if ((atHigh - atLow).norm() > kStopped * whole && whole > kStillJump) {
+      throw Error(ErrorCode::InvalidArgument,
+                  text("the formula jumps by %1 mm at t = %2",
+                       {formatFixed((atHigh - atLow).norm(), 3), formatFixed(low, 6)}),
+                  "guide formula", "change the formula or its range: a guide is one smooth curve");
+    }
   }
+
+  [[nodiscard]] Vec3 value(double t) const {
+    const Vec3 p(formulas_[0](t), formulas_[1](t), formulas_[2](t));
+    for (const double x : p) {
+      if (const Text wrong = implausible(x, QuantityKind::Length); !wrong.empty()) {
+        throw Error(ErrorCode::InvalidArgument,
+                    text("the guide leaves its range at t = %1: %2", {formatFixed(t, 6), wrong}),
+                    "guide formula", "change the formula or its range");
+      }
+    }
+    return p;
+  }
+
+  /// Differences below are rounding of formulas, mm.
+  static constexpr double kStillJump = 1e-6;
 
   double begin_;
   double end_;
@@ -201,18 +235,41 @@ std::shared_ptr<const GuideCurve> guideFromPoints(std::vector<Vec3> points) {
     throw Error(ErrorCode::InputInvalid, "a guide needs at least two points", "guide");
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].allFinite() || (i > 0 && points[i] == points[i - 1])) {
-      throw Error(
-          ErrorCode::InputInvalid,
-          text("point %1 repeats the one before it or is not finite", {std::to_string(i + 1)}),
-          "guide", "remove the point");
+    if (i > 0 && points[i] == points[i - 1]) {
+      throw Error(ErrorCode::InputInvalid,
+                  text("point %1 repeats the one before it", {std::to_string(i + 1)}), "guide",
+                  "remove the point");
+    }
+    for (const double x : points[i]) {
+      if (const Text wrong = implausible(x, QuantityKind::Length); !wrong.empty()) {
+        throw Error(ErrorCode::InputInvalid, text("point %1: %2", {std::to_string(i + 1), wrong}),
+                    "guide", "correct the point");
+      }
     }
   }
   return std::make_shared<SplineGuide>(std::move(points));
 }
 
+namespace {
+
+/// Commas between digits beside another separator: "1,5;2,5;3" or "1,5 2,5 3".
+bool isDecimalComma(std::string_view line) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  bool between = false;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    between = between || (line[i] == ',' && isDigit(line[i - 1]) && isDigit(line[i + 1]));
+  }
+  return between && trimText(line).find_first_of("; \t") != std::string_view::npos &&
+         line.find(", ") == std::string_view::npos;
+}
+
+}  // namespace
+
 std::shared_ptr<const GuideCurve> guideFromFile(const std::string& file) {
-  const std::string text = readFile(pathFromText(file));
+  return guideFromText(readFile(pathFromText(file)), file);
+}
+
+std::shared_ptr<const GuideCurve> guideFromText(std::string_view text, const std::string& file) {
   std::vector<Vec3> points;
   int lineNumber = 0;
   for (const std::string& raw : splitText(text, '\n')) {
@@ -233,6 +290,11 @@ std::shared_ptr<const GuideCurve> guideFromFile(const std::string& file) {
     }
     if (numbers.empty() && points.empty()) {
       continue;  // the header line
+    }
+    if (isDecimalComma(raw.substr(0, raw.find('#')))) {
+      throw Error(ErrorCode::InputInvalid,
+                  wcam::text("line %1: decimal commas", {std::to_string(lineNumber)}), file,
+                  "write decimal points, and x y z in mm, one point per line");
     }
     if (words.size() != 3 || numbers.size() != 3) {
       throw Error(ErrorCode::InputInvalid,
@@ -328,7 +390,10 @@ double arcLength(const GuideCurve& curve, double from, double to) {
   return length;
 }
 
-std::vector<double> chordSteps(const GuideCurve& curve, double step, double from) {
+std::vector<double> chordSteps(const GuideCurve& curve,
+                               double step,
+                               double from,
+                               const JobContext& context) {
   WCAM_ASSERT(step > 0.0);
   std::vector<double> parameters{from};
   const double range = curve.end() - curve.begin();
@@ -337,6 +402,8 @@ std::vector<double> chordSteps(const GuideCurve& curve, double step, double from
   constexpr double kScanOfStep = 0.1;
   constexpr double kRounding = 1e-15;
   constexpr int kBisections = 100;
+  constexpr std::size_t kCheckEvery = 256;
+  const std::size_t kMostChords = budget().layers;
   const double length = arcLength(curve, curve.begin(), curve.end());
   const double scan = length > 0.0 ? range * std::min(kScanOfRange, kScanOfStep * step / length)
                                    : range * kScanOfRange;
@@ -346,7 +413,10 @@ std::vector<double> chordSteps(const GuideCurve& curve, double step, double from
     double low = start;
     double high = start;
     bool found = false;
-    while (high < curve.end()) {
+    for (std::size_t k = 0; high < curve.end(); ++k) {
+      if (k % kCheckEvery == 0) {
+        context.check();
+      }
       high = std::min(curve.end(), low + scan);
       if ((curve.evaluate(high).p - origin).norm() >= step) {
         found = true;
@@ -368,6 +438,12 @@ std::vector<double> chordSteps(const GuideCurve& curve, double step, double from
       ((curve.evaluate(middle).p - origin).norm() >= step ? high : low) = middle;
     }
     parameters.push_back(0.5 * (low + high));
+    if (parameters.size() > kMostChords) {
+      throw Error(ErrorCode::JobFailed,
+                  text("the guide has more than %1 layers of %2 mm",
+                       {std::to_string(kMostChords), formatFixed(step, 6)}),
+                  "guide", "shorten the guide or raise the step");
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wcam/base/error.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/plausible.hpp"
 
 #include "brep_impl.hpp"
 #include "cad_mend.hpp"
@@ -379,11 +380,9 @@ void requireCoordinates(const CadMesh& cad, const ImportJob& job) {
   for (std::size_t t = 0; t < cad.mesh.triangles.size(); ++t) {
     for (const std::uint32_t v : cad.mesh.triangles[t]) {
       for (const double x : cad.mesh.vertices[v]) {
-        if (!isCoordinate(x)) {
+        if (const Text wrong = implausible(x, QuantityKind::Length); !wrong.empty()) {
           throw Error(ErrorCode::InputInvalid,
-                      text("face %1 has a coordinate of %2 mm, which is no possible place",
-                           {std::to_string(cad.binding.face[t]),
-                            std::isfinite(x) ? formatReal(x) : std::string("infinity")}),
+                      text("face %1, coordinate: %2", {std::to_string(cad.binding.face[t]), wrong}),
                       job.fileText, "check this face in the CAD system, and export the part again");
         }
       }

@@ -36,6 +36,7 @@ std::size_t regularFileSize(const std::filesystem::path& file) {
     throw Error(ErrorCode::InputNotFound, text("cannot be read: %1", {error.message()}),
                 pathText(file));
   }
+  requireFileSize(size, file);
   if (size == 0) {
     throw Error(ErrorCode::InputInvalid, "the file is empty", pathText(file),
                 "export the part again");

@@ -3,6 +3,7 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/parallel.hpp"
+#include "wcam/base/plausible.hpp"
 
 #include "mesh_boolean.hpp"
 #include "mesh_order.hpp"
@@ -86,12 +87,10 @@ void scaleAndPlace(TriangleMesh& mesh,
       context);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (const double x : mesh.vertices[v]) {
-      if (!isCoordinate(x)) {
-        throw Error(
-            ErrorCode::InputInvalid,
-            text("has a coordinate of %1 mm (vertex %2), which is too large",
-                 {std::isfinite(x) ? formatReal(x) : std::string("infinity"), std::to_string(v)}),
-            job.fileText, "check the unit, and export the part again");
+      if (const Text wrong = implausible(x, QuantityKind::Length); !wrong.empty()) {
+        throw Error(ErrorCode::InputInvalid,
+                    text("vertex %1, coordinate: %2", {std::to_string(v), wrong}), job.fileText,
+                    "check the unit and the placement, and export the part again");
       }
     }
   }

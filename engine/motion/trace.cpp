@@ -4,6 +4,7 @@
 #include "wcam/motion/trace.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/cell/joint_text.hpp"
 #include "wcam/cell/kinematics.hpp"
@@ -19,6 +20,8 @@ constexpr std::size_t kCheckEvery = 4096;
 /// A time step that is longer than the median one by this factor has lost samples.
 constexpr double kLongStep = 1.5;
 constexpr int kDecimals = 6;
+/// Beyond what any motor turns.
+constexpr PlausibleRange kPlausibleRpm{-1e6, 1e6};
 constexpr std::string_view kTimeColumn = "time_s";
 constexpr int kTimeIndex = -1;
 constexpr int kSkipped = -2;
@@ -154,6 +157,11 @@ private:
         fail(text("column %1: '%2' is not a finite number",
                   {std::to_string(k + 1), std::string(row[k])}),
              "write plain numbers with a decimal point");
+      }
+      if (const Text wrong = columns_[k] == kTimeIndex ? implausible(*number, QuantityKind::Time)
+                                                       : outOfRange(*number, kPlausibleRpm, "rpm");
+          !wrong.empty()) {
+        fail(text("column %1: %2", {std::to_string(k + 1), wrong}), "correct the row, or its unit");
       }
       (columns_[k] == kTimeIndex ? time : rpm(columns_[k])) = *number;
     }

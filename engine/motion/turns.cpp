@@ -45,8 +45,10 @@ std::vector<double> allowedShifts(const cell::Joint& joint, const Span& span) {
   const double least = std::ceil((joint.min - span.low) / kTurn - 1e-12);
   const double most = std::floor((joint.max - span.high) / kTurn + 1e-12);
   std::vector<double> shifts;
-  for (double k = least; k <= most; ++k) {
-    shifts.push_back(k * kTurn);
+  // No axis has room for more turns.
+  constexpr int kMostShifts = 10000;
+  for (int i = 0; i < kMostShifts && least + i <= most; ++i) {
+    shifts.push_back((least + i) * kTurn);
   }
   if (shifts.empty()) {
     // It does not fit at all: share the excess between both sides.

@@ -237,6 +237,8 @@ Program programFromMotion(const motion::PlannedMotion& planned,
   program.cell = factsOf(cell);
   program.process = {arc.wireDiameter, arc.wireSpeed, arc.job};
   const motion::Motion& motion = planned.motion;
+  // Marks and arcs are few against the moves; growing by halves would take the memory twice.
+  program.instructions.reserve(motion.waypoints.size() + motion.waypoints.size() / 8);
   Builder builder(program, cell, arc);
   constexpr std::size_t kCheckEvery = 4096;
   for (std::size_t i = 0; i < motion.waypoints.size(); ++i) {

@@ -429,6 +429,7 @@ Value schemaOf(FieldType type) {
     case FieldType::Real:
       return number;
     case FieldType::Vector3:
+    case FieldType::Angles3:
       return vector(number);
     case FieldType::Size3:
       return vector(Value::object({{"type", "number"}, {"exclusiveMinimum", 0}}));

@@ -3,6 +3,7 @@
 
 #include "file_schema.hpp"
 
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/toolpath/edits.hpp"
 
@@ -53,7 +54,19 @@ void checkIndex(const Value& value, const std::string& path, std::vector<ParamPr
   }
 }
 
+void checkNumber(const Value& value,
+                 QuantityKind kind,
+                 const std::string& path,
+                 std::vector<ParamProblem>& problems) {
+  if (expectType(value, value.isNumber(), "a number", path, problems)) {
+    if (Text wrong = implausible(value.asReal(), kind); !wrong.empty()) {
+      add(problems, path, std::move(wrong));
+    }
+  }
+}
+
 void checkVector(const Value& value,
+                 QuantityKind kind,
                  bool positive,
                  const std::string& path,
                  std::vector<ParamProblem>& problems) {
@@ -69,6 +82,9 @@ void checkVector(const Value& value,
       add(problems, path, "every size must be greater than 0");
       return;
     }
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    checkNumber(value.asArray()[i], kind, path + "[" + std::to_string(i) + "]", problems);
   }
 }
 
@@ -253,6 +269,8 @@ const char* toString(FieldType type) noexcept {
       return "real";
     case FieldType::Vector3:
       return "vector3";
+    case FieldType::Angles3:
+      return "vector3";
     case FieldType::Size3:
       return "size3";
     case FieldType::File:
@@ -305,7 +323,7 @@ const std::vector<NodeType>& nodeTypes() {
        "substrates",
        {{"type", Text, true, "plate or part"},
         {"position_mm", Vector3, false, "origin of the substrate's frame"},
-        {"rotation_deg", Vector3, false, "Bryant angles of the substrate's frame"},
+        {"rotation_deg", Angles3, false, "Bryant angles of the substrate's frame"},
         {"size_mm", Size3, false, "length, width and thickness of a plate"},
         {"part", Id, false, "part that is built on", "parts"}}},
       {"guides",
@@ -388,7 +406,7 @@ void checkField(const Value& value,
                 const std::string& path,
                 std::vector<ParamProblem>& problems) {
   static const std::vector<Field> kPlacement = {{"position_mm", FieldType::Vector3, false, ""},
-                                                {"rotation_deg", FieldType::Vector3, false, ""}};
+                                                {"rotation_deg", FieldType::Angles3, false, ""}};
   switch (type) {
     case FieldType::Id:
       return checkId(value, path, problems);
@@ -399,12 +417,13 @@ void checkField(const Value& value,
       expectType(value, value.isBool(), "true or false", path, problems);
       return;
     case FieldType::Real:
-      expectType(value, value.isNumber(), "a number", path, problems);
-      return;
+      return checkNumber(value, QuantityKind::None, path, problems);
     case FieldType::Vector3:
-      return checkVector(value, false, path, problems);
+      return checkVector(value, QuantityKind::Length, false, path, problems);
+    case FieldType::Angles3:
+      return checkVector(value, QuantityKind::Angle, false, path, problems);
     case FieldType::Size3:
-      return checkVector(value, true, path, problems);
+      return checkVector(value, QuantityKind::Length, true, path, problems);
     case FieldType::File:
       return checkFile(value, path, problems);
     case FieldType::Placement:

@@ -17,7 +17,8 @@ enum class FieldType {
   Text,       ///< any text
   Bool,       ///< true, false
   Real,       ///< finite number
-  Vector3,    ///< 3 finite numbers
+  Vector3,    ///< 3 lengths
+  Angles3,    ///< 3 angles
   Size3,      ///< 3 positive numbers
   File,       ///< {"path", "sha256"}
   Placement,  ///< {"position_mm", "rotation_deg"}

@@ -3,6 +3,7 @@
 
 #include "wcam/project/pipeline.hpp"
 
+#include "wcam/base/budget.hpp"
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/remedy.hpp"
@@ -17,6 +18,7 @@
 #include "remedies.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 namespace wcam::project {
@@ -161,6 +163,43 @@ void checkParams(const ParamSchema& schema,
 
 }  // namespace
 
+namespace {
+
+// What grows with the number of points, as far as a cache must know.
+
+template <class T>
+std::size_t bytesOf(const T& /*value*/) {
+  return 0;
+}
+
+std::size_t pointsOf(const toolpath::SlicedLayers& sliced) {
+  std::size_t points = 0;
+  for (const toolpath::SlicedLayer& layer : sliced.layers) {
+    for (const toolpath::Contour& contour : layer.contours) {
+      points += contour.points.size();
+    }
+  }
+  return points;
+}
+
+std::size_t bytesOf(const toolpath::SlicedLayers& sliced) {
+  return pointsOf(sliced) * sizeof(toolpath::ContourPoint);
+}
+
+std::size_t bytesOf(const toolpath::Toolpath& path) {
+  return path.pointCount() * sizeof(toolpath::PathPoint);
+}
+
+std::size_t bytesOf(const motion::CheckedMotion& checked) {
+  return checked.planned.motion.waypoints.size() * sizeof(motion::Waypoint) + bytesOf(checked.path);
+}
+
+std::size_t bytesOf(const program::Program& program) {
+  return program.instructions.size() * sizeof(program::Instruction);
+}
+
+}  // namespace
+
 OperationError::OperationError(const Error& error, std::vector<Command> remedy)
     : Error(error), remedy_(std::move(remedy)) {}
 
@@ -246,7 +285,8 @@ Staged<T> Pipeline::stage(const std::string& name,
                           const JobContext& context,
                           const std::function<T(const JobContext&)>& make) const {
   context.check();
-  return cache_->get<T>(name, key.hex(), context, make);
+  return cache_->get<T>(name, key.hex(), context, make,
+                        [](const T& value) { return bytesOf(value); });
 }
 
 std::vector<Diagnostic> Pipeline::validate() const {
@@ -571,6 +611,10 @@ OperationResult Pipeline::computeStages(const Operation& operation,
 
   plugin::SliceInput input;
   StageKey sliceKey("slice", kSliceVersion);
+  requireBudget(operation.parts.size(), "parts",
+                text("the operation has %1 parts", {std::to_string(operation.parts.size())}),
+                "parts");
+  std::map<std::string, std::size_t> firstWith;
   for (std::size_t i = 0; i < operation.parts.size(); ++i) {
     const Staged<io::ImportedPart> part =
         stagePart(operation.parts[i], context.portion(0.0, 0.25, "import"));
@@ -578,13 +622,28 @@ OperationResult Pipeline::computeStages(const Operation& operation,
     result.parts.push_back(part.value);
     input.parts.push_back(part.value->surface);
     sliceKey.text(part.key);
+    // The key holds the file's content, its import and its place.
+    if (const auto [it, fresh] = firstWith.emplace(part.key, i); !fresh) {
+      throw Error(ErrorCode::ProjectInvalid,
+                  text("the parts '%1' and '%2' are equal and stand in one place",
+                       {operation.parts[it->second], operation.parts[i]}),
+                  "parts", "move one of them, or take it out of the operation");
+    }
   }
   const Staged<toolpath::Substrate> substrate = stageSubstrate(operation.substrate, context);
   collectFrom(substrate);
   result.substrate = input.substrate = substrate.value;
   if (!operation.guide.empty()) {
     std::string guideKey;
-    input.guide = makeGuide(*document_.project().guide(operation.guide), guideKey, context);
+    try {
+      input.guide = makeGuide(*document_.project().guide(operation.guide), guideKey, context);
+    } catch (const Error& error) {
+      // What is wrong stands in the project, not in the command.
+      throw Error(
+          error.code() == ErrorCode::InvalidArgument ? ErrorCode::ProjectInvalid : error.code(),
+          error.messageText(), text("guide '%1', %2", {operation.guide, error.contextText()}),
+          error.hintText());
+    }
     sliceKey.text(guideKey);
   }
   if (!operation.file.empty()) {
@@ -624,22 +683,29 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       "slice", std::move(sliceKey), context.portion(0.25, 0.6, "slice"),
       [&](const JobContext& own) {
         toolpath::SlicedLayers layers = strategy->strategy->slice(input, sliceParams, own);
+        requireBudget(layers.layers.size(), "layers",
+                      text("the operation has %1 layers", {std::to_string(layers.layers.size())}),
+                      "slice", ErrorCode::JobFailed);
         toolpath::reportLeftOut(layers, input.parts, *input.substrate, input.bead, own);
         return layers;
       });
   collectFrom(sliced);
   result.sliced = sliced.value;
+  input.imported = nullptr;  // the layers hold its points
 
   StageKey pathKey("path", kPathVersion);
   pathKey.text(sliced.key).params(toolpath::PathParams::schema().params().complete(operation.path));
-  const auto path = stage<toolpath::Toolpath>(
+  auto path = stage<toolpath::Toolpath>(
       "path", std::move(pathKey), context.portion(0.6, 0.7, "path"), [&](const JobContext& own) {
+        const std::size_t points = pointsOf(*sliced.value);
+        requireBudget(points, "points", text("the path has %1 points", {std::to_string(points)}),
+                      "path", ErrorCode::JobFailed);
         return toolpath::buildToolpath(*sliced.value, *substrate.value, pathParams, own,
                                        input.bead);
       });
   collectFrom(path);
 
-  const Staged<toolpath::Toolpath> edited = stageEdits(operation, path, pathParams, context);
+  Staged<toolpath::Toolpath> edited = stageEdits(operation, path, pathParams, context);
   if (edited.key != path.key) {
     // What was found before is about the layers as the strategy made them.
     result.findings = toolpath::findingsAfter(std::move(result.findings), path.value->layers.size(),
@@ -655,6 +721,9 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       });
   collectFrom(processed);
   result.path = processed.value;
+  // A long path takes as much memory in each stage: what is not needed any more goes.
+  path.value = nullptr;
+  edited.value = nullptr;
 
   result.remedies = detail::triedSettings(result.findings, operation.id);
   if (until == Until::Path) {

@@ -44,12 +44,13 @@ struct Range {
     }
   }
 
-  /// Never empty, never a point.
+  /// Never empty, never so narrow that rounding decides where something stands in it.
   [[nodiscard]] Range usable() const {
     if (!(low <= high)) {
       return {0.0, 1.0};
     }
-    if (low == high) {
+    constexpr double kNarrow = 1e-9;
+    if (high - low <= kNarrow * std::max(std::abs(low), std::abs(high))) {
       const double half = std::max(0.5, 0.05 * std::abs(low));
       return {low - half, high + half};
     }
@@ -67,6 +68,21 @@ double roundStep(const Range& range, int count) {
     }
   }
   return 10.0 * power;
+}
+
+/// Multiples of a step within a range: few, whatever the range.
+std::vector<double> ticks(const Range& range, double step, double rounding) {
+  constexpr int kMostTicks = 100;
+  std::vector<double> values;
+  const double first = std::ceil(range.low / step);
+  for (int i = 0; i < kMostTicks; ++i) {
+    const double value = (first + i) * step;
+    if (!(value <= range.high * (1.0 + rounding))) {
+      break;
+    }
+    values.push_back(value);
+  }
+  return values;
 }
 
 std::string tickText(double value, double step) {
@@ -137,16 +153,16 @@ std::string axes(const Plot& plot, const Range& xs, const Range& ys, double heig
   constexpr int kTicksX = 8;
   constexpr int kTicksY = 5;
   const double stepX = roundStep(xs, kTicksX);
-  for (double k = std::ceil(xs.low / stepX); k * stepX <= xs.high * (1.0 + 1e-12); k += 1.0) {
-    const double x = kLeft + (k * stepX - xs.low) / (xs.high - xs.low) * (right - kLeft);
-    svg += line(x, kTop, x, bottom, "grid") +
-           text(x, bottom + 14.0, "middle", tickText(k * stepX, stepX));
+  for (const double tick : ticks(xs, stepX, 1e-12)) {
+    const double x = kLeft + (tick - xs.low) / (xs.high - xs.low) * (right - kLeft);
+    svg +=
+        line(x, kTop, x, bottom, "grid") + text(x, bottom + 14.0, "middle", tickText(tick, stepX));
   }
   const double stepY = roundStep(ys, kTicksY);
-  for (double k = std::ceil(ys.low / stepY); k * stepY <= ys.high; k += 1.0) {
-    const double y = kTop + (ys.high - k * stepY) / (ys.high - ys.low) * (bottom - kTop);
-    svg += line(kLeft, y, right, y, "grid") +
-           text(kLeft - 6.0, y + 4.0, "end", tickText(k * stepY, stepY));
+  for (const double tick : ticks(ys, stepY, 0.0)) {
+    const double y = kTop + (ys.high - tick) / (ys.high - ys.low) * (bottom - kTop);
+    svg +=
+        line(kLeft, y, right, y, "grid") + text(kLeft - 6.0, y + 4.0, "end", tickText(tick, stepY));
   }
   for (const double limit : plot.limits) {
     if (limit >= ys.low && limit <= ys.high) {

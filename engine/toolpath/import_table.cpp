@@ -4,6 +4,7 @@
 #include "wcam/toolpath/import_table.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/plausible.hpp"
 #include "wcam/base/text.hpp"
 
 #include "frames.hpp"
@@ -44,8 +45,8 @@ constexpr std::array<const char*, kColumns> kNames = {
 
 /// Beyond it the memory of an ordinary computer ends; a path of this length burns for years.
 constexpr std::size_t kMaxPoints = 50'000'000;
-/// Coordinates and sizes beyond (1 km) are damage or another unit.
-constexpr double kMaxLength = 1e6;
+/// Coordinates and sizes beyond are damage or another unit, mm.
+const double kMaxLength = plausibleRange(QuantityKind::Length).max;
 constexpr std::size_t kCheckEvery = 4096;
 
 /// One row, as far as it is used.

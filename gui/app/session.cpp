@@ -3,6 +3,7 @@
 
 #include "session.hpp"
 
+#include "wcam/base/budget.hpp"
 #include "wcam/base/file_io.hpp"
 
 #include "widgets/text.hpp"
@@ -125,7 +126,9 @@ std::vector<project::Command> relocate(const project::Document& document,
 Session::Session(std::shared_ptr<const plugin::PluginHost> plugins, QObject* parent)
     : QObject(parent),
       plugins_(std::move(plugins)),
-      cache_(std::make_shared<project::StageCache>()),
+      // Whoever changes one thing and sees the rest again needs more of it than a single run.
+      cache_(std::make_shared<project::StageCache>(
+          256, static_cast<std::size_t>(budget().memoryMb << 20U) / 4)),
       generation_(std::make_unique<JobRunner>(postTo(this))),
       tasks_(std::make_unique<JobRunner>(postTo(this))) {
   setHistory(project::Document::empty("untitled"));

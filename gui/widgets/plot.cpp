@@ -43,6 +43,17 @@ double stepOf(double span, int count) {
   return 10.0 * power;
 }
 
+/// Multiples of a step from low to high; few, whatever the numbers.
+std::vector<double> ticks(double low, double high, double step) {
+  constexpr int kMostTicks = 1000;
+  std::vector<double> values;
+  const double first = std::ceil(low / step);
+  for (int i = 0; i < kMostTicks && (first + i) * step <= high; ++i) {
+    values.push_back((first + i) * step);
+  }
+  return values;
+}
+
 }  // namespace
 
 Plot::Plot(QWidget* parent) : QWidget(parent) {
@@ -136,7 +147,7 @@ void Plot::draw() {
   QColor faint = grid;
   faint.setAlpha(90);
   const double yStep = stepOf(high_ - low_, std::max(static_cast<int>(box.height() / 34), 2));
-  for (double v = std::ceil(low_ / yStep) * yStep; v <= high_; v += yStep) {
+  for (const double v : ticks(low_, high_, yStep)) {
     painter.setPen(faint);
     painter.drawLine(QPointF(box.left(), yOf(v)), QPointF(box.right(), yOf(v)));
     painter.setPen(text);
@@ -144,7 +155,7 @@ void Plot::draw() {
                      QString::number(std::abs(v) < 1e-9 * yStep ? 0.0 : v, 'g', 5));
   }
   const double xStep = stepOf(to_ - from_, std::max(static_cast<int>(box.width() / 110), 2));
-  for (double t = std::ceil(from_ / xStep) * xStep; t <= to_; t += xStep) {
+  for (const double t : ticks(from_, to_, xStep)) {
     painter.setPen(faint);
     painter.drawLine(QPointF(xOf(t), box.top()), QPointF(xOf(t), box.bottom()));
     painter.setPen(text);

@@ -219,9 +219,11 @@ private:
         d = std::numeric_limits<double>::quiet_NaN();
       }
     }
+    requireFewLines(farthest / spacing_);
     std::vector<LayerLevel> levels;
-    for (double k = 0.0; margin_ + k * spacing_ < farthest; k += 1.0) {
-      levels.push_back({margin_ + k * spacing_, input_.substrate->up(), spacing_});
+    for (std::size_t k = 0; margin_ + static_cast<double>(k) * spacing_ < farthest; ++k) {
+      levels.push_back(
+          {margin_ + static_cast<double>(k) * spacing_, input_.substrate->up(), spacing_});
     }
     if (levels.empty()) {
       return {};

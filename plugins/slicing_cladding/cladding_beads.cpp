@@ -309,6 +309,7 @@ std::vector<toolpath::Contour> aboveSubstrate(const toolpath::Contour& contour,
 }
 
 void densify(toolpath::Contour& contour, double maxSpacing) {
+  constexpr double kMostPieces = 1e6;  // a kilometre by millimetres
   const std::size_t n = contour.points.size();
   std::vector<toolpath::ContourPoint> points;
   points.reserve(n);
@@ -319,9 +320,10 @@ void densify(toolpath::Contour& contour, double maxSpacing) {
       break;
     }
     const toolpath::ContourPoint& next = contour.points[(i + 1) % n];
-    const double pieces = std::ceil((next.p - here.p).norm() / maxSpacing - 1e-9);
-    for (double k = 1.0; k < pieces; k += 1.0) {
-      points.push_back(between(here, next, k / pieces));
+    const double wanted = std::ceil((next.p - here.p).norm() / maxSpacing - 1e-9);
+    const auto pieces = static_cast<int>(std::clamp(wanted, 1.0, kMostPieces));
+    for (int k = 1; k < pieces; ++k) {
+      points.push_back(between(here, next, static_cast<double>(k) / pieces));
     }
   }
   contour.points = std::move(points);

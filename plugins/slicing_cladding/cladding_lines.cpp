@@ -81,6 +81,13 @@ std::vector<double> leastSlopes(std::vector<Strip> strips, double low, double st
 
 }  // namespace
 
+void requireFewLines(double count) {
+  if (!(count <= kMostLines)) {
+    throw Error(ErrorCode::JobFailed, "more than 100 000 lines would be needed",
+                "cladding, bead spacing", "choose wider beads");
+  }
+}
+
 LinePlanes linePlanes(const geometry::PartSurface& surface,
                       const Vec3& across,
                       double spacing,
@@ -107,10 +114,7 @@ LinePlanes linePlanes(const geometry::PartSurface& surface,
     low = std::min(low, strip.low);
     high = std::max(high, strip.high);
   }
-  if ((high - low) / spacing > kMostLines) {
-    throw Error(ErrorCode::JobFailed, "more than 100 000 lines would be needed",
-                "cladding, bead spacing", "choose wider beads");
-  }
+  requireFewLines((high - low) / spacing);
   const auto n =
       static_cast<std::size_t>(std::ceil(kStepsPerLine * std::max(1.0, (high - low) / spacing)));
   const double step = (high - low) / static_cast<double>(n);
@@ -124,10 +128,11 @@ LinePlanes linePlanes(const geometry::PartSurface& surface,
   const double room = std::max(0.0, width - 2.0 * margin);
   // A line that rounding puts a hair beyond the end is still there.
   constexpr double kRounding = 1e-9;
-  const double gaps = std::floor(room / spacing + kRounding);
+  requireFewLines(room / spacing);
+  const auto gaps = static_cast<int>(room / spacing + kRounding);
   const double first = 0.5 * (width - gaps * spacing);
   std::size_t i = 0;
-  for (double k = 0.0; k <= gaps; k += 1.0) {
+  for (int k = 0; k <= gaps; ++k) {
     const double wanted = first + k * spacing;
     while (i + 1 < n && distance[i + 1] < wanted) {
       ++i;

@@ -20,6 +20,9 @@ struct LinePlanes {
   double denseArea = 0.0;      ///< where the traces lie clearly nearer than the spacing, mm²
 };
 
+/// @throws Error(JobFailed) for more than 100 000 lines
+void requireFewLines(double count);
+
 /// Positions of the planes: the distance from one to the next is the spacing times the least slope
 /// that the surface between them has against the planes, so that traces are nowhere farther apart
 /// than the spacing, and exactly one spacing on planes, cylinders and spheres. The first and the

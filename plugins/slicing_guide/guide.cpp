@@ -211,8 +211,8 @@ public:
     const toolpath::LayerWish wish{params.step.value(), params.firstLayer, params.last,
                                    input.bead.heightMin, input.bead.heightMax};
     const double step =
-        params.last == toolpath::LastLayer::Fit ? fittedStep(guide, wish) : wish.step;
-    const std::vector<double> parameters = planeParameters(guide, step, wish.firstLayer);
+        params.last == toolpath::LastLayer::Fit ? fittedStep(guide, wish, context) : wish.step;
+    const std::vector<double> parameters = planeParameters(guide, step, wish.firstLayer, context);
     if (parameters.empty()) {
       throw Error(ErrorCode::JobFailed, "the guide is shorter than the first layer",
                   "slicing normal to a guide", "choose a smaller step");
@@ -235,8 +235,10 @@ private:
 
   /// The step whose chords end on the guide's end; the wanted one where that ends there, or where
   /// the guide is too short.
-  static double fittedStep(const geometry::GuideCurve& guide, const toolpath::LayerWish& wish) {
-    const double rest = restOf(guide, planeParameters(guide, wish.step, wish.firstLayer));
+  static double fittedStep(const geometry::GuideCurve& guide,
+                           const toolpath::LayerWish& wish,
+                           const JobContext& context) {
+    const double rest = restOf(guide, planeParameters(guide, wish.step, wish.firstLayer, context));
     if (rest <= kOnEnd) {
       return wish.step;
     }
@@ -248,13 +250,14 @@ private:
     // Chords are shorter than arcs: the greatest step that still gives this many planes.
     double low = 0.5 * arcs.step;
     double high = arcs.step;
-    if (planeParameters(guide, high, wish.firstLayer).size() >= arcs.count) {
+    if (planeParameters(guide, high, wish.firstLayer, context).size() >= arcs.count) {
       return high;
     }
     constexpr int kBisections = 30;
     for (int i = 0; i < kBisections; ++i) {
       const double middle = 0.5 * (low + high);
-      (planeParameters(guide, middle, wish.firstLayer).size() >= arcs.count ? low : high) = middle;
+      (planeParameters(guide, middle, wish.firstLayer, context).size() >= arcs.count ? low : high) =
+          middle;
     }
     return low;
   }
@@ -278,17 +281,18 @@ private:
 
   static std::vector<double> planeParameters(const geometry::GuideCurve& guide,
                                              double step,
-                                             double firstLayer) {
+                                             double firstLayer,
+                                             const JobContext& context) {
     double from = guide.begin();
     const double offset = firstLayer * step;
     if (offset > 0.0) {
-      const std::vector<double> first = geometry::chordSteps(guide, offset, from);
+      const std::vector<double> first = geometry::chordSteps(guide, offset, from, context);
       if (first.size() < 2) {
         return {};
       }
       from = first[1];
     }
-    return geometry::chordSteps(guide, step, from);
+    return geometry::chordSteps(guide, step, from, context);
   }
 };
 

@@ -4301,10 +4301,6 @@
         <translation>[min, max] attendu en %1</translation>
     </message>
     <message>
-        <source>expected a finite number</source>
-        <translation>nombre fini attendu</translation>
-    </message>
-    <message>
         <source>expected a list of %1 offsets, one per joint</source>
         <translation>liste de %1 décalages attendue, un par axe</translation>
     </message>
@@ -5533,10 +5529,6 @@
         <translation>extension %1, composant %2</translation>
     </message>
     <message>
-        <source>point %1 repeats the one before it or is not finite</source>
-        <translation>le point %1 répète le précédent ou n’est pas fini</translation>
-    </message>
-    <message>
         <source>positioner %1</source>
         <translation>positionneur %1</translation>
     </message>
@@ -6251,10 +6243,6 @@
     <message>
         <source>the formula has no finite value at %1</source>
         <translation>la formule n’a pas de valeur finie en %1</translation>
-    </message>
-    <message>
-        <source>the formula has no finite value at t = %1</source>
-        <translation>la formule n’a pas de valeur finie en t = %1</translation>
     </message>
     <message>
         <source>the generatrix from (%1, %2, %3), %4 mm long, needs a deposit of %5 mm, %6 mm outside of %7 to %8 mm</source>
@@ -7703,16 +7691,8 @@
         <translation>Repère utilisateur de la torche fixe (UF)</translation>
     </message>
     <message>
-        <source>a bead is longer than one program of %1 positions: it would be cut with the arc on, into parts that cannot be started alone</source>
-        <translation>un cordon dépasse un programme de %1 positions : il serait coupé arc allumé, en parties qui ne peuvent pas être lancées seules</translation>
-    </message>
-    <message>
         <source>a bead is longer than one program: the arc stops and starts again at %1 places in it</source>
         <translation>un cordon dépasse un programme : l’arc s’y arrête et reprend à %1 endroits</translation>
-    </message>
-    <message>
-        <source>a program of %1 positions and %2 lines has no room for a move</source>
-        <translation>un programme de %1 positions et %2 lignes n’a pas de place pour un mouvement</translation>
     </message>
     <message>
         <source>allow at least %1 positions and %2 lines per program</source>
@@ -7971,10 +7951,6 @@
         <translation>vérifiez les noms des corps, des faces et des arêtes</translation>
     </message>
     <message>
-        <source>check the unit, and export the part again</source>
-        <translation>vérifiez l&apos;unité et exportez à nouveau la pièce</translation>
-    </message>
-    <message>
         <source>check this face in the CAD system, and export the part again</source>
         <translation>vérifiez cette face dans le logiciel de CAO et exportez à nouveau la pièce</translation>
     </message>
@@ -8015,16 +7991,8 @@
         <translation>exportez la pièce avec une géométrie exacte, ou en STL ou 3MF</translation>
     </message>
     <message>
-        <source>face %1 has a coordinate of %2 mm, which is no possible place</source>
-        <translation>la face %1 a une coordonnée de %2 mm, ce qui n&apos;est pas un lieu possible</translation>
-    </message>
-    <message>
         <source>give them the type &apos;model&apos; if they are to be built</source>
         <translation>donnez-leur le type « model » s&apos;ils doivent être construits</translation>
-    </message>
-    <message>
-        <source>has a coordinate of %1 mm (vertex %2), which is too large</source>
-        <translation>a une coordonnée de %1 mm (sommet %2), ce qui est trop grand</translation>
     </message>
     <message>
         <source>has a coordinate of point %1 that is no number or too large</source>
@@ -8655,10 +8623,6 @@
         <translation>signalez-le à l&apos;auteur du plugin : un programme doit être dans les fichiers qu&apos;il renvoie</translation>
     </message>
     <message>
-        <source>take the post-processor for %1; otherwise check every joint value and frame before the program runs</source>
-        <translation>prenez le post-processeur pour %1 ; sinon, vérifiez chaque valeur d&apos;axe et chaque repère avant de lancer le programme</translation>
-    </message>
-    <message>
         <source>the folder depends on where the program is started; name its whole path</source>
         <translation>le dossier dépend de l&apos;endroit où le programme est lancé ; donnez son chemin complet</translation>
     </message>
@@ -8737,6 +8701,166 @@
     <message>
         <source>save the package without a password</source>
         <translation>enregistrez le paquet sans mot de passe</translation>
+    </message>
+    <message>
+        <source>%1 %4 is not within %2 and %3 %4</source>
+        <translation>%1 %4 n’est pas compris entre %2 et %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 is not within %2 and %3</source>
+        <translation>%1 n’est pas compris entre %2 et %3</translation>
+    </message>
+    <message>
+        <source>%1; the budget is %2</source>
+        <translation>%1 ; le budget est de %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no item of the budget</source>
+        <translation>« %1 » n’est pas un élément du budget</translation>
+    </message>
+    <message>
+        <source>budget</source>
+        <translation>budget</translation>
+    </message>
+    <message>
+        <source>change the formula or its range: a guide is one smooth curve</source>
+        <translation>modifiez la formule ou son intervalle : un guide est une seule courbe lisse</translation>
+    </message>
+    <message>
+        <source>check the unit and the placement, and export the part again</source>
+        <translation>vérifiez l’unité et le placement, puis exportez la pièce à nouveau</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>colonne %1 : %2</translation>
+    </message>
+    <message>
+        <source>correct the point</source>
+        <translation>corrigez le point</translation>
+    </message>
+    <message>
+        <source>correct the row, or its unit</source>
+        <translation>corrigez la ligne ou son unité</translation>
+    </message>
+    <message>
+        <source>face %1, coordinate: %2</source>
+        <translation>face %1, coordonnée : %2</translation>
+    </message>
+    <message>
+        <source>guide &apos;%1&apos;, %2</source>
+        <translation>guide « %1 », %2</translation>
+    </message>
+    <message>
+        <source>line %1: decimal commas</source>
+        <translation>ligne %1 : virgules décimales</translation>
+    </message>
+    <message>
+        <source>make it less, or raise the budget: WCAM_BUDGET=%1=%2</source>
+        <translation>réduisez-le ou augmentez le budget : WCAM_BUDGET=%1=%2</translation>
+    </message>
+    <message>
+        <source>move one of them, or take it out of the operation</source>
+        <translation>déplacez l’une d’elles ou retirez-la de l’opération</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>pièces</translation>
+    </message>
+    <message>
+        <source>point %1 repeats the one before it</source>
+        <translation>le point %1 répète le précédent</translation>
+    </message>
+    <message>
+        <source>point %1: %2</source>
+        <translation>point %1 : %2</translation>
+    </message>
+    <message>
+        <source>shorten the guide or raise the step</source>
+        <translation>raccourcissez le guide ou augmentez le pas</translation>
+    </message>
+    <message>
+        <source>the file has %1 MiB</source>
+        <translation>le fichier fait %1 Mio</translation>
+    </message>
+    <message>
+        <source>the file holds too many values</source>
+        <translation>le fichier contient trop de valeurs</translation>
+    </message>
+    <message>
+        <source>the formula jumps by %1 mm at t = %2</source>
+        <translation>la formule saute de %1 mm à t = %2</translation>
+    </message>
+    <message>
+        <source>the guide has more than %1 layers of %2 mm</source>
+        <translation>le guide compte plus de %1 couches de %2 mm</translation>
+    </message>
+    <message>
+        <source>the guide leaves its range at t = %1: %2</source>
+        <translation>le guide sort de son domaine à t = %1 : %2</translation>
+    </message>
+    <message>
+        <source>the operation has %1 layers</source>
+        <translation>l’opération compte %1 couches</translation>
+    </message>
+    <message>
+        <source>the operation has %1 parts</source>
+        <translation>l’opération compte %1 pièces</translation>
+    </message>
+    <message>
+        <source>the parts &apos;%1&apos; and &apos;%2&apos; are equal and stand in one place</source>
+        <translation>les pièces « %1 » et « %2 » sont identiques et occupent la même place</translation>
+    </message>
+    <message>
+        <source>the path has %1 points</source>
+        <translation>la trajectoire compte %1 points</translation>
+    </message>
+    <message>
+        <source>the run needs more than the %1 MiB of memory that it may take</source>
+        <translation>l’exécution demande plus que les %1 Mio de mémoire autorisés</translation>
+    </message>
+    <message>
+        <source>use a coarser part, step or spacing; with more memory in the machine, raise memory_mb in WCAM_BUDGET</source>
+        <translation>prenez une pièce, un pas ou un espacement plus grossier ; si la machine a plus de mémoire, augmentez memory_mb dans WCAM_BUDGET</translation>
+    </message>
+    <message>
+        <source>vertex %1, coordinate: %2</source>
+        <translation>sommet %1, coordonnée : %2</translation>
+    </message>
+    <message>
+        <source>write KEY=N with a whole number above 0; keys: %1</source>
+        <translation>écrivez CLÉ=N avec un entier supérieur à 0 ; clés : %1</translation>
+    </message>
+    <message>
+        <source>write decimal points, and x y z in mm, one point per line</source>
+        <translation>écrivez des points décimaux, et x y z en mm, un point par ligne</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 positions and %2 lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles back to back between touching bodies were dropped, the first at %2 mm: the bodies are built as one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bead is longer than one program of at most %1: it would be cut with the arc on, into parts that cannot be started alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program of at most %1 has no room for a move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use a post-processor that writes for %1, where there is one; otherwise check every joint value and frame before the program runs</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -121,29 +121,6 @@ TEST(Pipeline, ResultsDoNotDependOnThreads) {
   EXPECT_EQ(programs[0], programs[2]);
 }
 
-TEST(Pipeline, EveryStageCanBeCancelled) {
-  // The stop comes after a growing number of progress reports, so that it falls into different
-  // stages.
-  const Document document = test::exampleDocument("elbow");
-  int completed = 0;
-  for (int reports = 0; reports < 60; reports += 3) {
-    std::stop_source stop;
-    int seen = 0;
-    const JobContext context(stop.get_token(), [&](double, const std::string&) {
-      if (++seen > reports) {
-        stop.request_stop();
-      }
-    });
-    try {
-      (void)Pipeline(document, test::exampleFile("elbow"), test::hostOfPlugins())
-          .compute("guide", context);
-      ++completed;
-    } catch (const CancelledError&) {
-    }
-  }
-  EXPECT_LT(completed, 20);
-}
-
 TEST(Pipeline, ErrorsNameTheOperationAndTheRemedy) {
   const Document document = with(test::exampleDocument("elbow"), "operation.set",
                                  R"({"id": "planar", "params": {"step": 500.0}})");

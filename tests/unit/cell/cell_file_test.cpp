@@ -145,6 +145,23 @@ TEST(CellFile, allProblemsAtOnceWithTheirPaths) {
   }
 }
 
+TEST(CellFile, lengthsAnglesAndRatesBeyondAnyMachineAreTold) {
+  Value file = fanucFile();
+  jointOf(file, 0)->set("r", 18446744073709551616.0);
+  jointOf(file, 1)->set("alpha", 1e9);
+  jointOf(file, 2)->set("max_speed", 1e12);
+  jointOf(file, 3)->set("max_acceleration", 1e200);
+  file.findMutable("torch")
+      ->findMutable("T_flange_tcp")
+      ->set("xyz", Value(Value::Array{1e12, 0.0, 0.0}));
+  const std::string problems = problemsOf(file);
+  EXPECT_THAT(problems, HasSubstr("robot.joints[0].r: 18446744073709551616.0 mm is not within"));
+  EXPECT_THAT(problems, HasSubstr("robot.joints[1].alpha: 1000000000 deg is not within"));
+  EXPECT_THAT(problems, HasSubstr("robot.joints[2].max_speed: 1000000000000 deg/s is not within"));
+  EXPECT_THAT(problems, HasSubstr("robot.joints[3].max_acceleration: 1e+200 deg/s2"));
+  EXPECT_THAT(problems, HasSubstr("torch.T_flange_tcp.xyz[0]: 1000000000000 mm"));
+}
+
 TEST(CellFile, allProblemsOfLinearJointsSumsAndConventions) {
   Value file = test::shippedCell("debout_7axis").source;
   jointOf(file, 0)->set("type", "sliding");

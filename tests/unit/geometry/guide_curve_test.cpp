@@ -3,10 +3,12 @@
 
 #include "wcam/geometry/guide_curve.hpp"
 
+#include "wcam/base/budget.hpp"
 #include "wcam/base/error.hpp"
 #include "wcam/base/parallel.hpp"
 #include "wcam/base/quantity.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -170,6 +172,59 @@ TEST(GuideCurve, BadInputNamesThePlace) {
   EXPECT_NEAR((guideFromFile(file)->evaluate(0.0).p).norm(), 0.0, 1e-15);
   std::remove(file.c_str());
   EXPECT_NE(messageOf([&] { guideFromFile(file); }).find("does not exist"), std::string::npos);
+}
+
+std::string refusalOf(const std::string& z) {
+  try {
+    const auto guide = guideFromFormula({"0", "0", z}, 0.0, 12.0);
+    (void)chordSteps(*guide, 4.0, guide->begin());
+  } catch (const Error& error) {
+    return std::string(error.what()) + " | " + error.hint();
+  }
+  return "nothing";
+}
+
+TEST(Guide, PolesJumpsAndHugeValuesAreRefusedWithTheirPlace) {
+  using ::testing::HasSubstr;
+  EXPECT_THAT(refusalOf("1/(t-5)"), HasSubstr("leaves its range at t = 5.0"));
+  EXPECT_THAT(refusalOf("1/(t-5)^2"), HasSubstr("leaves its range at t = "));
+  EXPECT_THAT(refusalOf("t*1e200"), HasSubstr("leaves its range at t = "));
+  EXPECT_THAT(refusalOf("t < 5 ? t : t + 3"), HasSubstr("jumps by 3.000 mm at t = 5.000000"));
+  EXPECT_THAT(refusalOf("0,5*t"), HasSubstr("write 0.5*t"));
+  EXPECT_THAT(refusalOf("z=5"), HasSubstr("assignment (position 2)"));
+  // Steep, but smooth enough.
+  EXPECT_EQ(refusalOf("sqrt(t)"), "nothing");
+  EXPECT_EQ(refusalOf("t < 5 ? t : 2*t-5"), "nothing");
+}
+
+TEST(Guide, ChordsEndByCountAndOnCancel) {
+  const auto guide = guideFromFormula({"0", "0", "t"}, 0.0, 12.0);
+  const std::uint64_t most = budget().layers;
+  setBudget("layers=100");
+  EXPECT_EQ(chordSteps(*guide, 0.25, 0.0).size(), 49U);
+  EXPECT_THROW((void)chordSteps(*guide, 0.01, 0.0), Error);
+  setBudget("layers=" + std::to_string(most));
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW((void)chordSteps(*guide, 0.25, 0.0, JobContext(stop.get_token())), CancelledError);
+}
+
+TEST(Guide, DecimalCommasInAFileAreRefused) {
+  const std::string file = ::testing::TempDir() + "comma_guide.csv";
+  for (const char* row : {"1,5;2", "0,5 2", "1,5;2,5;3,5"}) {
+    std::ofstream(file) << "0 0 0\n" << row << "\n";
+    try {
+      (void)guideFromFile(file);
+      ADD_FAILURE() << row;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("line 2: decimal commas")) << row;
+    }
+  }
+  for (const char* row : {"1,2,3", "1, 2, 3", "1;2;3", "1.5 2 3"}) {
+    std::ofstream(file) << "0 0 0\n" << row << "\n";
+    EXPECT_NO_THROW((void)guideFromFile(file)) << row;
+  }
+  std::remove(file.c_str());
 }
 
 }  // namespace

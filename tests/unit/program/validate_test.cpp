@@ -62,7 +62,7 @@ TEST(Validate, FindsEveryKindOfDamage) {
       {"program.number_not_finite", [](Program& p) { firstOf<MoveLinear>(p).speed = kNan; }},
       {"program.number_not_finite", [](Program& p) { firstOf<Wait>(p).seconds = kNan; }},
       {"program.pose_not_rigid",
-       [](Program& p) { firstOf<MoveCircular>(p).via.T_table_tcp.linear() *= 1.001; }},
+       [](Program& p) { firstOf<MoveCircular>(p).via->T_table_tcp.linear() *= 1.001; }},
       {"program.pose_not_rigid",
        [](Program& p) { firstOf<MoveLinear>(p).target.T_base_tcp.linear().col(0) *= -1.0; }},
       {"program.joint_count",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -10,6 +11,9 @@ namespace wcam {
 
 /// Whole file as bytes. @throws Error(InputNotFound / InputInvalid) naming the file
 std::string readFile(const std::filesystem::path& file);
+
+/// @throws Error(InputInvalid) for a file that is larger than the budget has for one
+void requireFileSize(std::uint64_t bytes, const std::filesystem::path& file);
 
 /// Replaces a file or leaves the old one untouched: temporary file beside it, fsync, rename, fsync
 /// of the folder. @throws Error(OutputConflict) naming the file and the cause (no space, no

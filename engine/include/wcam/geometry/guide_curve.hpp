@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "wcam/base/context.hpp"
 #include "wcam/geometry/brep.hpp"
 #include "wcam/geometry/types.hpp"
 
@@ -9,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wcam::geometry {
@@ -33,8 +35,11 @@ std::shared_ptr<const GuideCurve> guideFromPoints(std::vector<Vec3> points);
 /// Points of a text file: three numbers per line (comma, semicolon or blank separated), '#'
 /// comments, an optional header line. @throws Error(InputInvalid) naming file and line
 std::shared_ptr<const GuideCurve> guideFromFile(const std::string& file);
+/// The same from the text of a file. @param file its name, for messages
+std::shared_ptr<const GuideCurve> guideFromText(std::string_view text, const std::string& file);
 /// Formulas x(t), y(t), z(t) over [begin, end] in mm; pi and the usual functions are known.
-/// @throws Error(InvalidArgument) naming the formula and the position
+/// @throws Error(InvalidArgument) naming the formula and the position, or the parameter where the
+/// curve jumps or leaves the range of plausible lengths
 std::shared_ptr<const GuideCurve> guideFromFormula(const std::array<std::string, 3>& xyz,
                                                    double begin,
                                                    double end);
@@ -58,7 +63,10 @@ std::vector<CurveFrame> rotationMinimisingFrames(const GuideCurve& curve,
 /// Length between two parameters, mm, relative error about 1e-10.
 double arcLength(const GuideCurve& curve, double from, double to);
 /// Parameters t_0 = from, t_1, … with chords |g(t_{k+1}) − g(t_k)| = step (Chalvin A8), while t ≤
-/// end.
-std::vector<double> chordSteps(const GuideCurve& curve, double step, double from);
+/// end. @throws Error(JobFailed) for more chords than a part has layers, CancelledError
+std::vector<double> chordSteps(const GuideCurve& curve,
+                               double step,
+                               double from,
+                               const JobContext& context = {});
 
 }  // namespace wcam::geometry

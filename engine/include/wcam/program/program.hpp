@@ -6,7 +6,9 @@
 #include "wcam/geometry/types.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -46,8 +48,35 @@ struct MoveLinear {
   bool stop = false;
 };
 
+/// A target apart from the move that holds it: few moves are circular, and an instruction is as
+/// large as the largest of them. Copies are copies of the target.
+class TargetApart {
+public:
+  TargetApart(Target target = {}) : target_(std::make_unique<Target>(std::move(target))) {}
+
+  TargetApart(const TargetApart& other) : TargetApart(*other.target_) {}
+
+  TargetApart(TargetApart&&) noexcept = default;
+
+  TargetApart& operator=(TargetApart other) noexcept {
+    target_ = std::move(other.target_);
+    return *this;
+  }
+
+  ~TargetApart() = default;
+
+  operator const Target&() const { return *target_; }
+
+  const Target* operator->() const { return target_.get(); }
+
+  Target* operator->() { return target_.get(); }
+
+private:
+  std::unique_ptr<Target> target_;
+};
+
 struct MoveCircular {
-  Target via;
+  TargetApart via;
   Target target;
   double speed = 0.0;
   bool stop = false;

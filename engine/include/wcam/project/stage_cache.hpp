@@ -29,22 +29,25 @@ struct Staged {
 class StageCache {
 public:
   /// @param capacity number of results kept
-  explicit StageCache(std::size_t capacity = 256);
+  /// @param bytes that they may take together, see Pipeline; 0: a sixteenth of the budget's memory
+  explicit StageCache(std::size_t capacity = 256, std::size_t bytes = 0);
 
   /// The stored result, or the one that `make` gives. Findings of a stored result are the ones of
   /// its making.
+  /// @param bytesOf about how much memory a value takes; a value beyond the cache's is not stored
   template <class T>
   Staged<T> get(const std::string& stage,
                 std::string key,
                 const JobContext& context,
-                const std::function<T(const JobContext&)>& make) {
+                const std::function<T(const JobContext&)>& make,
+                const std::function<std::size_t(const T&)>& bytesOf = {}) {
     if (const auto hit = find(key)) {
       return {std::static_pointer_cast<const T>(hit->value), std::move(key), hit->findings};
     }
     const JobContext own = context.withOwnDiagnostics();
     auto value = std::make_shared<const T>(make(own));
     const std::vector<Diagnostic> findings = own.diagnostics().items();
-    store(stage, key, {value, findings});
+    store(stage, key, {value, findings}, bytesOf ? bytesOf(*value) : 0);
     return {std::move(value), std::move(key), findings};
   }
 
@@ -59,14 +62,18 @@ private:
 
   struct Slot {
     Entry entry;
+    std::size_t bytes = 0;
     std::size_t lastUse = 0;
   };
 
   std::shared_ptr<const Entry> find(const std::string& key);
-  void store(const std::string& stage, const std::string& key, Entry entry);
+  void store(const std::string& stage, const std::string& key, Entry entry, std::size_t bytes);
+  void forgetOldest();
 
   mutable std::mutex mutex_;
   std::size_t capacity_;
+  std::size_t mostBytes_;
+  std::size_t bytes_ = 0;
   std::size_t clock_ = 0;
   std::map<std::string, Slot> slots_;
   std::map<std::string, std::size_t> runs_;
