@@ -103,6 +103,7 @@ LoadedProject parseProject(std::string_view text,
   const std::string context = pathText(file);
   LoadedProject loaded;
   loaded.file = file;
+  loaded.sha256 = sha256Hex(text);
   Value tree = migrate(parseJson(text, context), migrations, context, loaded.findings);
   loaded.migrated = !loaded.findings.empty();
   loaded.document = Document::parse(std::move(tree), context);
@@ -116,14 +117,20 @@ LoadedProject loadProject(const std::filesystem::path& file,
   return parseProject(readFile(file), file, migrations);
 }
 
-void saveProject(const Document& document, const std::filesystem::path& file) {
+void saveProject(const Document& document,
+                 const std::filesystem::path& file,
+                 const std::string& expected) {
   if (document.readOnly()) {
     throw Error(ErrorCode::ProjectReadOnly,
                 "the project was written by a newer version and cannot be saved by this one",
                 pathText(file), "use the newer version of WCAM");
   }
+  if (!expected.empty() && (!isPresent(file) || sha256OfFile(file) != expected)) {
+    throw Error(ErrorCode::OutputConflict,
+                "another program has changed or removed the file since it was read",
+                pathText(file), "read it again, or save under another name");
+  }
   writeFileAtomically(file, document.text());
-  dropAutosave(file);
 }
 
 std::string checkCanonical(const std::filesystem::path& file) {
