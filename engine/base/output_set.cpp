@@ -192,7 +192,12 @@ std::string fileIdentity(const fs::path& file) {
     }
     path = path.parent_path();
   }
-  return std::to_string(info.st_dev) + ":" + std::to_string(info.st_ino) + rest;
+  if (!rest.empty()) {
+    // By the folder's one real name: the rest may come to exist between two looks.
+    const fs::path real = fs::canonical(path, ignored);
+    return "/" + pathText((ignored ? path : real).relative_path()) + rest;
+  }
+  return std::to_string(info.st_dev) + ":" + std::to_string(info.st_ino);
 }
 
 void OutputPlan::keep(const fs::path& file, const Text& what) {

@@ -71,6 +71,26 @@ project::Document withSettings(project::Document document, const Session& sessio
   return document;
 }
 
+/// With an output for every post-processor that --post names and the project does not store, so
+/// that --set reaches it by its id.
+project::Document withPosts(project::Document document, const Session& session) {
+  for (const std::string& post : session.options.posts) {
+    const auto& outputs = document.project().outputs;
+    const bool stored = std::any_of(outputs.begin(), outputs.end(), [&](const auto& output) {
+      return output.id == post || output.post == post;
+    });
+    const std::vector<plugin::ComponentEntry> known = session.plugins->components();
+    const bool provided = std::any_of(known.begin(), known.end(), [&](const auto& entry) {
+      return entry.kind == plugin::ComponentKind::Post && entry.id == post;
+    });
+    if (!stored && provided) {
+      document = project::apply(
+          document, {"output.add", Value::object({{"id", post}, {"post", post}})});
+    }
+  }
+  return document;
+}
+
 std::filesystem::path outputFolder(const Session& session, const std::filesystem::path& file) {
   if (!session.options.output.empty()) {
     return pathFromText(session.options.output);
@@ -185,7 +205,8 @@ int runProjectVerb(const Session& session) {
     }
   }
   const project::Document document =
-      loaded.document.readOnly() ? loaded.document : withSettings(loaded.document, session);
+      loaded.document.readOnly() ? loaded.document
+                                 : withSettings(withPosts(loaded.document, session), session);
   const project::Pipeline pipeline(document, file, session.plugins);
   const std::filesystem::path reportFile = pathFromText(session.options.report);
   project::RunRequest request;

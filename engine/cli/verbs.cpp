@@ -370,7 +370,7 @@ int pluginsListVerb(const Session& session) {
   if (session.options.json) {
     print(Value::object({{"plugins", list}}));
   } else {
-    std::fputs(text.c_str(), stdout);
+    std::fputs(printable(text).c_str(), stdout);
   }
   return 0;
 }

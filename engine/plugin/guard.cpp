@@ -5,6 +5,7 @@
 #include "wcam/plugin/crash_notice.hpp"
 
 #include "library.hpp"
+#include <new>
 #include <unistd.h>
 
 #include <algorithm>
@@ -51,6 +52,8 @@ public:
                           error.settings());
     } catch (const Error& error) {
       fail(error.whatText(), error.hintText());
+    } catch (const std::bad_alloc&) {
+      throw;  // the part is too large, which is not the plugin's fault
     } catch (...) {
       fail(text("failed: %1", {currentExceptionText()}), "report this to the vendor of the plugin");
     }

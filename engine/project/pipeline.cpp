@@ -438,7 +438,15 @@ std::shared_ptr<const geometry::GuideCurve> Pipeline::makeGuide(const Guide& gui
       key = joinText({guide.formulas[0], guide.formulas[1], guide.formulas[2],
                       formatFixed(guide.begin, 12), formatFixed(guide.end, 12)},
                      ";");
-      return geometry::guideFromFormula(guide.formulas, guide.begin, guide.end);
+      try {
+        return geometry::guideFromFormula(guide.formulas, guide.begin, guide.end);
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::InvalidArgument) {
+          throw;
+        }
+        throw Error(ErrorCode::ProjectInvalid, error.whatText(), text("guide '%1'", {guide.id}),
+                    error.hintText());
+      }
   }
   return nullptr;
 }

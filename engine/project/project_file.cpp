@@ -13,6 +13,7 @@
 #include "file_schema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 namespace wcam::project {
@@ -114,7 +115,16 @@ LoadedProject parseProject(std::string_view text,
 
 LoadedProject loadProject(const std::filesystem::path& file,
                           const std::vector<Migration>& migrations) {
-  return parseProject(readFile(file), file, migrations);
+  const std::string extension = file.extension().string();
+  constexpr std::array kParts = {".step", ".stp", ".STEP", ".STP", ".stl",
+                                 ".STL",  ".obj", ".ply",  ".3mf", ".wsurf"};
+  std::string content = readFile(file);
+  if (std::find(kParts.begin(), kParts.end(), extension) != kParts.end()) {
+    throw Error(ErrorCode::InputInvalid, "is a part, not a project", pathText(file),
+                text("make a project of it: camcli new %1.wcam --part %2",
+                     {pathText(file.stem()), pathText(file)}));
+  }
+  return parseProject(content, file, migrations);
 }
 
 void saveProject(const Document& document,
