@@ -154,7 +154,6 @@ void writeFileAtomically(const std::filesystem::path& named, std::string_view co
 }
 
 bool mayReplace(const std::filesystem::path& file) {
-
   struct stat info {};
 
   // Who may write everything still does not mean to replace what is marked as read-only.

@@ -223,10 +223,8 @@ void OutputPlan::write(const fs::path& file, const Text& what) {
     return;
   }
   if (entry->second.written) {
-    refuse(text("%1 and %2 both write %3",
-                {entry->second.what, what, pathText(file.filename())}),
-           file,
-           "give one of them another name or folder");
+    refuse(text("%1 and %2 both write %3", {entry->second.what, what, pathText(file.filename())}),
+           file, "give one of them another name or folder");
   }
   refuse(text("%1 would replace %2", {what, entry->second.what}), file,
          "choose another name or folder");

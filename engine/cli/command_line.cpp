@@ -144,7 +144,9 @@ void CommandLine::addFileVerbs() {
   CLI::App* apply = addVerb(
       app_, "apply", "Apply a log of commands (JSON lines) to a project and save it", applyVerb);
   apply->add_option("project", options_.file, "Project file")->required()->type_name("PROJECT");
-  apply->add_option("commands", options_.commands, "Commands, one JSON object per line; - reads standard input")
+  apply
+      ->add_option("commands", options_.commands,
+                   "Commands, one JSON object per line; - reads standard input")
       ->required()
       ->type_name("COMMANDS.jsonl");
   apply->add_option("--output", options_.output, "Save as this project file instead")
@@ -180,7 +182,9 @@ void CommandLine::addPlaceVerb() {
   place->add_option("--turn", options_.placeTurn, "Step of the rotation, degrees (default: 30)")
       ->check(CLI::Range(1.0, 360.0))
       ->type_name("DEG");
-  place->add_option("--map", options_.map, "Write all places with their margins as CSV; - prints them")
+  place
+      ->add_option("--map", options_.map,
+                   "Write all places with their margins as CSV; - prints them")
       ->type_name("FILE");
   place->add_flag("--apply", options_.applyPlace, "Move parts and substrate there and save");
 }

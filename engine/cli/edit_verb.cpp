@@ -157,7 +157,8 @@ int editListVerb(const Session& session) {
     }
   }
   std::fputs(
-      (session.options.json ? toCanonicalJson(Value::object({{"edits", list}})) : printable(text)).c_str(),
+      (session.options.json ? toCanonicalJson(Value::object({{"edits", list}})) : printable(text))
+          .c_str(),
       stdout);
   return 0;
 }

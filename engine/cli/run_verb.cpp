@@ -84,8 +84,8 @@ project::Document withPosts(project::Document document, const Session& session) 
       return entry.kind == plugin::ComponentKind::Post && entry.id == post;
     });
     if (!stored && provided) {
-      document = project::apply(
-          document, {"output.add", Value::object({{"id", post}, {"post", post}})});
+      document =
+          project::apply(document, {"output.add", Value::object({{"id", post}, {"post", post}})});
     }
   }
   return document;
@@ -219,8 +219,8 @@ int runProjectVerb(const Session& session) {
   request.stored = loaded.document;
   request.settings = session.options.settings;
   if (session.options.json && reportFile == kStandardOutput) {
-    throw Error(ErrorCode::InvalidArgument,
-                "--json and --report - both print on standard output", {}, "leave one of them out");
+    throw Error(ErrorCode::InvalidArgument, "--json and --report - both print on standard output",
+                {}, "leave one of them out");
   }
   request.plan.write(reportFile, "the report");
   for (const std::string& plugin : session.options.plugins) {
@@ -234,8 +234,8 @@ int runProjectVerb(const Session& session) {
   if (!reportFile.empty()) {
     const std::string extension = reportFile.extension().string();
     writeResult(reportFile, extension == ".html" || extension == ".htm"
-                                        ? project::htmlReport(document, result)
-                                        : toCanonicalJson(result.report));
+                                ? project::htmlReport(document, result)
+                                : toCanonicalJson(result.report));
   }
   tell(session, result, request.folder);
   if (session.options.json) {
@@ -273,11 +273,10 @@ int checkOutputVerb(const Session& session) {
     for (const Diagnostic& finding : findings) {
       list.push(toValue(finding));
     }
-    std::fputs(
-        toCanonicalJson(Value::object({{"folder", pathText(folder)}, {"whole", !violated}})
-                            .set("diagnostics", list))
-            .c_str(),
-        stdout);
+    std::fputs(toCanonicalJson(Value::object({{"folder", pathText(folder)}, {"whole", !violated}})
+                                   .set("diagnostics", list))
+                   .c_str(),
+               stdout);
   }
   return violated ? exitCodeOf(ErrorCode::CheckFailed) : 0;
 }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "changed_project.hpp"
 #include "verbs.hpp"
 
 #include "wcam/base/file_io.hpp"
@@ -20,6 +19,8 @@
 #include "wcam/project/project_file.hpp"
 #include "wcam/toolpath/build.hpp"
 #include "wcam/toolpath/edits.hpp"
+
+#include "changed_project.hpp"
 
 #include <algorithm>
 #include <array>

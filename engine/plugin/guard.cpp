@@ -5,7 +5,6 @@
 #include "wcam/plugin/crash_notice.hpp"
 
 #include "library.hpp"
-#include <new>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <cstdio>
 #include <iostream>
 #include <mutex>
+#include <new>
 #include <set>
 
 namespace wcam::plugin {

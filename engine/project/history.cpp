@@ -278,9 +278,9 @@ std::size_t History::replay(std::string_view log, const std::string& context) {
       replayLine(parsed);
     } catch (const Error& error) {
       // A wrong command is a mistake of the file, not of the command line.
-      throw Error(error.code() == ErrorCode::InvalidArgument ? ErrorCode::InputInvalid
-                                                             : error.code(),
-                  error.whatText(), place, error.hintText());
+      throw Error(
+          error.code() == ErrorCode::InvalidArgument ? ErrorCode::InputInvalid : error.code(),
+          error.whatText(), place, error.hintText());
     }
     ++applied;
   }

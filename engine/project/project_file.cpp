@@ -137,8 +137,8 @@ void saveProject(const Document& document,
   }
   if (!expected.empty() && (!isPresent(file) || sha256OfFile(file) != expected)) {
     throw Error(ErrorCode::OutputConflict,
-                "another program has changed or removed the file since it was read",
-                pathText(file), "read it again, or save under another name");
+                "another program has changed or removed the file since it was read", pathText(file),
+                "read it again, or save under another name");
   }
   writeFileAtomically(file, document.text());
 }

@@ -50,15 +50,14 @@ ProjectLock::Attempt heldBy(int fd) {
   const std::vector<std::string> lines =
       splitText(std::string(buffer.data(), static_cast<std::size_t>(size > 0 ? size : 0)), '\n');
   ProjectLock::Attempt attempt;
-  attempt.holder = lines.size() >= 3 ? text("process %1 on %2", {lines[0], lines[1]})
-                                     : text("another program");
+  attempt.holder =
+      lines.size() >= 3 ? text("process %1 on %2", {lines[0], lines[1]}) : text("another program");
   attempt.isOpen = lines.size() >= 3 && lines[2] == kOpen;
   return attempt;
 }
 
 /// Is the locked file still the one of this name? Its last holder removes it.
 bool isCurrent(int fd, const std::filesystem::path& file) {
-
   struct stat own {};
 
   struct stat named {};

@@ -54,10 +54,9 @@ Value pluginsOf(const plugin::PluginHost& plugins, const std::set<std::string>& 
       used.push_back(std::move(report));
     }
   }
-  std::sort(used.begin(), used.end(),
-            [](const plugin::PluginReport& a, const plugin::PluginReport& b) {
-              return a.id < b.id;
-            });
+  std::sort(
+      used.begin(), used.end(),
+      [](const plugin::PluginReport& a, const plugin::PluginReport& b) { return a.id < b.id; });
   Value list = Value::array();
   for (const plugin::PluginReport& report : used) {
     list.push(pluginValue(report));
@@ -163,21 +162,15 @@ private:
     }
   }
 
-  void same(const char* code,
-            const Value& made,
-            const Value& now,
-            const char* key,
-            const Text& message) {
+  void same(
+      const char* code, const Value& made, const Value& now, const char* key, const Text& message) {
     if (!(made.at(key) == now.at(key))) {
       violation(code, message);
     }
   }
 
-  void list(const char* code,
-            const Value& made,
-            const Value& now,
-            const char* key,
-            const char* message) {
+  void list(
+      const char* code, const Value& made, const Value& now, const char* key, const char* message) {
     std::set<std::string> names;
     for (const Value* side : {&made, &now}) {
       for (const Value& entry : side->asArray()) {

@@ -402,9 +402,8 @@ RunResult runProject(const Pipeline& pipeline,
     for (const OperationResult& operation : result.operations) {
       context.check();
       std::string table = operationTable(operation);
-      pending.push_back(
-          {{"", operation.id, operation.id + ".csv", table.size(), sha256Hex(table)},
-           std::move(table)});
+      pending.push_back({{"", operation.id, operation.id + ".csv", table.size(), sha256Hex(table)},
+                         std::move(table)});
     }
   }
   if (!request.checkOnly) {

@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Nothing that is read is overwritten, nothing that was written is lost, no two runs are mixed.
-#include "camcli.hpp"
-
 #include "wcam/base/sha256.hpp"
 #include "wcam/project/project_lock.hpp"
 #include "wcam/version.h"
 
+#include "camcli.hpp"
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <ctime>
-#include <fcntl.h>
 #include <future>
 #include <set>
 
@@ -32,8 +31,8 @@ protected:
 
   std::vector<std::string> run(std::vector<std::string> more = {},
                                const std::string& folder = "out") const {
-    std::vector<std::string> arguments = {"--project", project_,    "--operation", "planar",
-                                          "--output",  folder};
+    std::vector<std::string> arguments = {"--project", project_,   "--operation",
+                                          "planar",    "--output", folder};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
@@ -86,9 +85,9 @@ TEST_F(Store, AReportReplacesNoProgramOfTheSameRun) {
 
 TEST_F(Store, TwoOutputsWithOneFolderUnderTwoNames) {
   Value tree = parseJson(readFile(project_));
-  const Value outputs = parseJson(
-      R"([{"id": "a", "post": "wcam.post.fanuc", "folder": "x/y"},)"
-      R"( {"id": "b", "post": "wcam.post.fanuc", "folder": "x/./z/../y"}])");
+  const Value outputs =
+      parseJson(R"([{"id": "a", "post": "wcam.post.fanuc", "folder": "x/y"},)"
+                R"( {"id": "b", "post": "wcam.post.fanuc", "folder": "x/./z/../y"}])");
   writeFileAtomically(project_, toCanonicalJson(tree.set("outputs", outputs)));
   refused(run(), "both write PLANAR.LS");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
@@ -202,9 +201,7 @@ TEST_F(Store, PairsOfParallelEditsLoseNone) {
   constexpr std::size_t kPairs = 40;
   std::size_t done = 0;
   for (std::size_t i = 0; i < kPairs; ++i) {
-    const auto edit = [&] {
-      return camcli({"edit", "add", project_, "planar", "pause"}).exitCode;
-    };
+    const auto edit = [&] { return camcli({"edit", "add", project_, "planar", "pause"}).exitCode; };
     auto other = std::async(std::launch::async, edit);
     done += edit() == 0 ? 1U : 0U;
     done += other.get() == 0 ? 1U : 0U;
@@ -221,8 +218,9 @@ TEST_F(Store, ParallelLogsLoseNone) {
     writeFileAtomically(folder_ / log,
                         R"({"command": "edit.add", "args": {"operation": "planar", "id": "e)" +
                             std::to_string(i) + R"(", "type": "reverse"}})");
-    runs.push_back(std::async(std::launch::async,
-                              [this, log] { return camcli({"apply", project_, log}).exitCode; }));
+    runs.push_back(std::async(std::launch::async, [this, log] {
+      return camcli({"apply", project_, log}).exitCode;
+    }));
   }
   std::size_t done = 0;
   for (auto& one : runs) {
@@ -238,8 +236,7 @@ TEST_F(Store, WhatAWindowHasOpenIsNotChanged) {
   fs::create_symlink(project_, folder_ / "link.wcam");
   writeFileAtomically(folder_ / "log.jsonl", "");
   {
-    const auto open =
-        project::ProjectLock::attempt(project_, project::ProjectLock::Use::Open).lock;
+    const auto open = project::ProjectLock::attempt(project_, project::ProjectLock::Use::Open).lock;
     ASSERT_NE(open, nullptr);
     refused({"edit", "add", project_, "planar", "pause"}, "has the project open");
     refused({"edit", "add", "link.wcam", "planar", "pause"}, "has the project open");

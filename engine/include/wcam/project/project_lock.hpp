@@ -23,9 +23,9 @@ public:
   /// Result of an attempt: the lock, or who holds it, or why there is none.
   struct Attempt {
     std::unique_ptr<ProjectLock> lock;
-    Text holder;    ///< "process 12 on host"; empty when nobody holds it
+    Text holder;          ///< "process 12 on host"; empty when nobody holds it
     bool isOpen = false;  ///< the holder has the project open
-    int error = 0;        ///< errno when the lock file cannot be made, such as in a read-only folder
+    int error = 0;  ///< errno when the lock file cannot be made, such as in a read-only folder
   };
 
   static Attempt attempt(const std::filesystem::path& project, Use use);

@@ -74,9 +74,9 @@ bool prints(const Output& output, const std::string& operation);
 
 /// Computes the operations and writes their programs, tables and report.json. Everything is
 /// computed before the first file is written, and the files are replaced together (OutputSet), so
-/// that a failure or a cancel leaves no half-written output, and no empty folder. An operation with violations
-/// gets no robot program: its findings say why. So do those of an output, whose program is then
-/// kept back alone. A failing operation does not stop the others; when all fail, nothing is
+/// that a failure or a cancel leaves no half-written output, and no empty folder. An operation with
+/// violations gets no robot program: its findings say why. So do those of an output, whose program
+/// is then kept back alone. A failing operation does not stop the others; when all fail, nothing is
 /// written.
 /// @throws Error for problems of the request or the whole project: ProjectReadOnly for a project of
 /// a newer format, since a robot program made from what is understood of it could be wrong;
