@@ -116,6 +116,10 @@ void writeFileAtomically(const std::filesystem::path& named, std::string_view co
   if (file.empty()) {
     cannotWrite(named, unresolved.value());
   }
+  if (!mayReplace(file)) {
+    throw Error(ErrorCode::OutputConflict, "is read-only and is not replaced", pathText(named),
+                "make it writable, or choose another name");
+  }
   // Short, so that it fits where the file's own name is of the longest kind.
   std::string temporary = (file.parent_path() / ".wcam-XXXXXX").native();
   const int rawFd = ::mkostemp(temporary.data(), O_CLOEXEC);
@@ -158,6 +162,14 @@ void writeFileAtomically(const std::filesystem::path& named, std::string_view co
   if (folderFd.get() >= 0) {
     ::fsync(folderFd.get());
   }
+}
+
+bool mayReplace(const std::filesystem::path& file) {
+  struct stat info {};
+
+  // Who may write everything still does not mean to replace what is marked as read-only.
+  return ::stat(file.c_str(), &info) != 0 ||
+         ((info.st_mode & 0222) != 0 && ::access(file.c_str(), W_OK) == 0);
 }
 
 void createFolder(const std::filesystem::path& folder) {

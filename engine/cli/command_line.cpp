@@ -70,6 +70,8 @@ CommandLine::CommandLine() : app_(kPurpose) {
       ->type_name("DIR");
   addSelection(app_);
   app_.add_flag("--table", options_.table, "Also write <operation>.csv, one row per point");
+  app_.add_flag("--allow-outside", options_.allowOutside,
+                "Outputs may have a folder outside of the output folder");
   app_.add_flag("--check", options_.check,
                 "Compute and check, write nothing; exit code 5 on violations");
   addCommon(app_);
@@ -96,7 +98,7 @@ void CommandLine::addSelection(CLI::App& target) {
       ->allow_extra_args(false);
   target
       .add_option("--report", options_.report,
-                  "Write the report to this file as well: .html for people, else JSON")
+                  "Write the report to this file as well: .html for people, else JSON; - prints it")
       ->type_name("FILE");
 }
 
@@ -147,7 +149,9 @@ void CommandLine::addFileVerbs() {
   CLI::App* apply = addVerb(
       app_, "apply", "Apply a log of commands (JSON lines) to a project and save it", applyVerb);
   apply->add_option("project", options_.file, "Project file")->required()->type_name("PROJECT");
-  apply->add_option("commands", options_.commands, "Commands, one JSON object per line")
+  apply
+      ->add_option("commands", options_.commands,
+                   "Commands, one JSON object per line; - reads standard input")
       ->required()
       ->type_name("COMMANDS.jsonl");
   apply->add_option("--output", options_.output, "Save as this project file instead")
@@ -155,7 +159,11 @@ void CommandLine::addFileVerbs() {
   CLI::App* check =
       addVerb(app_, "check", "Check a project: format, files, parameters, reach; writes nothing",
               checkVerb);
-  check->add_option("project", options_.file, "Project file")->required()->type_name("PROJECT");
+  check->add_option("project", options_.file, "Project file")->type_name("PROJECT");
+  check
+      ->add_option("--output", options_.output,
+                   "Look at this output folder instead: is it whole, and made from the project?")
+      ->type_name("DIR");
   addSelection(*check);
 }
 
@@ -179,7 +187,9 @@ void CommandLine::addPlaceVerb() {
   place->add_option("--turn", options_.placeTurn, "Step of the rotation, degrees (default: 30)")
       ->check(CLI::Range(1.0, 360.0))
       ->type_name("DEG");
-  place->add_option("--map", options_.map, "Write all places with their margins as CSV")
+  place
+      ->add_option("--map", options_.map,
+                   "Write all places with their margins as CSV; - prints them")
       ->type_name("FILE");
   place->add_flag("--apply", options_.applyPlace, "Move parts and substrate there and save");
 }

@@ -70,14 +70,33 @@ InterruptGuard::~InterruptGuard() {
   pthread_kill(thread_.native_handle(), SIGUSR2);
 }
 
+std::string printable(std::string_view text) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string shown;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : '\0');
+    // C1 controls are two bytes in UTF-8.
+    const bool c1 = byte == 0xc2 && next >= 0x80 && next < 0xa0;
+    if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f || c1) {
+      const unsigned char code = c1 ? next : byte;
+      shown += std::string("\\x") + kDigits[code >> 4U] + kDigits[code & 15U];
+      i += c1 ? 1 : 0;
+    } else {
+      shown += text[i];
+    }
+  }
+  return shown;
+}
+
 void Console::say(const std::string& line) const {
   if (!quiet_) {
-    std::fprintf(stderr, "%s\n", line.c_str());
+    std::fprintf(stderr, "%s\n", printable(line).c_str());
   }
 }
 
 void Console::complain(const std::string& line) const {
-  std::fprintf(stderr, "%s\n", line.c_str());
+  std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
 
 void Console::error(const Error& error) const {
@@ -162,10 +181,11 @@ JobContext::ProgressFunction Console::progressBar() const {
     }
     *shown = percent;
     const int filled = kWidth * percent / 100;
+    const std::string shownLabel = printable(label);
     std::fprintf(stderr, "\r[%s%s] %3d %% %-24.24s",
                  std::string(static_cast<std::size_t>(filled), '#').c_str(),
                  std::string(static_cast<std::size_t>(kWidth - filled), '.').c_str(), percent,
-                 label.c_str());
+                 shownLabel.c_str());
     std::fflush(stderr);
   };
 }

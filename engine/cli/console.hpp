@@ -13,6 +13,10 @@
 
 namespace wcam::cli {
 
+/// Text for a terminal: names may hold control characters, which must not steer it. They are
+/// shown as \xNN; line ends and tabs stay.
+std::string printable(std::string_view text);
+
 /// Turns SIGINT and SIGTERM into a stop request: the first asks the job to end, the second ends the
 /// process at once. Must be made before any other thread, since the signals are blocked in all of
 /// them.

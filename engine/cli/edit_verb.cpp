@@ -8,6 +8,7 @@
 #include "wcam/project/project_file.hpp"
 #include "wcam/toolpath/edits.hpp"
 
+#include "changed_project.hpp"
 #include "verbs.hpp"
 
 #include <algorithm>
@@ -101,12 +102,12 @@ std::string freeId(const project::Operation& operation, const std::string& base)
   return id;
 }
 
-/// Applies a command to the project file and saves it.
+/// Applies a command to the project file, whose lock is held since it was read, and saves it.
 int changeProject(const Session& session,
-                  const project::Document& document,
+                  const ChangedProject& changed,
                   const project::Command& command) {
   const std::filesystem::path file = pathFromText(session.options.file);
-  project::saveProject(project::apply(document, command), file);
+  changed.save(session, project::apply(changed.loaded.document, command));
   session.console.say(project::labelOf(command).str() + ", saved " + pathText(file));
   if (session.options.json) {
     std::fputs(toCanonicalJson(project::toValue(command)).c_str(), stdout);
@@ -156,7 +157,8 @@ int editListVerb(const Session& session) {
     }
   }
   std::fputs(
-      (session.options.json ? toCanonicalJson(Value::object({{"edits", list}})) : text).c_str(),
+      (session.options.json ? toCanonicalJson(Value::object({{"edits", list}})) : printable(text))
+          .c_str(),
       stdout);
   return 0;
 }
@@ -176,7 +178,8 @@ int editTypesVerb(const Session& session) {
 
 int editAddVerb(const Session& session) {
   const Options& options = session.options;
-  const project::Document document = load(session);
+  const ChangedProject changed(pathFromText(session.options.file));
+  const project::Document& document = changed.loaded.document;
   const project::Operation& operation = operationOf(document, options.editedOperation);
   const toolpath::EditType type = typeOf(options.editType);
   Value args = Value::object(
@@ -190,12 +193,13 @@ int editAddVerb(const Session& session) {
   if (options.index >= 0) {
     args.set("index", options.index);
   }
-  return changeProject(session, document, {"edit.add", args});
+  return changeProject(session, changed, {"edit.add", args});
 }
 
 int editSetVerb(const Session& session) {
   const Options& options = session.options;
-  const project::Document document = load(session);
+  const ChangedProject changed(pathFromText(session.options.file));
+  const project::Document& document = changed.loaded.document;
   const project::OperationEdit& edit =
       editOf(operationOf(document, options.editedOperation), options.edit);
   Value args = argsOf(options);
@@ -211,21 +215,23 @@ int editSetVerb(const Session& session) {
     throw Error(ErrorCode::InvalidArgument, "nothing was given to change", {},
                 "give --set KEY=VALUE, --enable or --disable");
   }
-  return changeProject(session, document, {"edit.set", args});
+  return changeProject(session, changed, {"edit.set", args});
 }
 
 int editRemoveVerb(const Session& session) {
-  const project::Document document = load(session);
+  const ChangedProject changed(pathFromText(session.options.file));
+  const project::Document& document = changed.loaded.document;
   editOf(operationOf(document, session.options.editedOperation), session.options.edit);
-  return changeProject(session, document, {"edit.remove", argsOf(session.options)});
+  return changeProject(session, changed, {"edit.remove", argsOf(session.options)});
 }
 
 int editMoveVerb(const Session& session) {
-  const project::Document document = load(session);
+  const ChangedProject changed(pathFromText(session.options.file));
+  const project::Document& document = changed.loaded.document;
   editOf(operationOf(document, session.options.editedOperation), session.options.edit);
   Value args = argsOf(session.options);
   args.set("index", session.options.index);
-  return changeProject(session, document, {"edit.move", args});
+  return changeProject(session, changed, {"edit.move", args});
 }
 
 }  // namespace wcam::cli

@@ -17,6 +17,7 @@ struct Options {
   std::vector<std::string> operations;
   std::vector<std::string> settings;
   bool table = false;
+  bool allowOutside = false;
   std::string report;
   bool check = false;
   // all verbs

@@ -3,11 +3,13 @@
 
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/output_set.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/project/pipeline.hpp"
 #include "wcam/project/placing.hpp"
 #include "wcam/project/project_file.hpp"
 
+#include "changed_project.hpp"
 #include "verbs.hpp"
 
 #include <cmath>
@@ -41,6 +43,12 @@ int placeVerb(const Session& session) {
   const Options& options = session.options;
   const std::filesystem::path file = pathFromText(options.file);
   const project::LoadedProject loaded = project::loadProject(file);
+  OutputPlan plan;
+  plan.keep(file, "the project");
+  for (const project::UsedFile& used : project::usedFiles(loaded.document)) {
+    plan.keep(project::resolvePath(file, used.ref), text("the file of the %1", {used.owner}));
+  }
+  plan.write(pathFromText(options.map), "the map");
   const project::Pipeline pipeline(loaded.document, file, session.plugins);
   motion::PlacementSearch search;
   search.rangeX = search.rangeY = options.placeRange;
@@ -54,16 +62,22 @@ int placeVerb(const Session& session) {
   session.console.say("now:  " + describe(map.places.front()));
   session.console.say("best: " + describe(best));
   if (!options.map.empty()) {
-    writeFileAtomically(pathFromText(options.map), project::toCsv(map));
+    writeResult(pathFromText(options.map), project::toCsv(map));
   }
   bool applied = false;
   if (options.applyPlace && map.best != 0 && best.failing == 0) {
-    project::Document document = loaded.document;
+    const ChangedProject changed(file);
+    if (changed.loaded.sha256 != loaded.sha256) {
+      throw Error(ErrorCode::OutputConflict,
+                  "another program has changed the project while the place was searched",
+                  pathText(file), "search again");
+    }
+    project::Document document = changed.loaded.document;
     for (const project::Command& command :
          project::placementCommands(document, options.placedOperation, best.pose())) {
       document = project::apply(document, command);
     }
-    project::saveProject(document, file);
+    changed.save(session, document);
     applied = true;
     session.console.say("moved and saved " + pathText(file));
   } else if (options.applyPlace) {

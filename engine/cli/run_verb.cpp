@@ -3,10 +3,12 @@
 
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/output_set.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/project/commands.hpp"
 #include "wcam/project/html_report.hpp"
 #include "wcam/project/project_file.hpp"
+#include "wcam/project/provenance.hpp"
 #include "wcam/project/run.hpp"
 
 #include "verbs.hpp"
@@ -65,6 +67,26 @@ project::Document withSettings(project::Document document, const Session& sessio
     throw Error(problems.front().code(),
                 std::to_string(lines.size()) + " problems:\n  " + joinText(lines, "\n  "), {},
                 problems.front().hint());
+  }
+  return document;
+}
+
+/// With an output for every post-processor that --post names and the project does not store, so
+/// that --set reaches it by its id.
+project::Document withPosts(project::Document document, const Session& session) {
+  for (const std::string& post : session.options.posts) {
+    const auto& outputs = document.project().outputs;
+    const bool stored = std::any_of(outputs.begin(), outputs.end(), [&](const auto& output) {
+      return output.id == post || output.post == post;
+    });
+    const std::vector<plugin::ComponentEntry> known = session.plugins->components();
+    const bool provided = std::any_of(known.begin(), known.end(), [&](const auto& entry) {
+      return entry.kind == plugin::ComponentKind::Post && entry.id == post;
+    });
+    if (!stored && provided) {
+      document =
+          project::apply(document, {"output.add", Value::object({{"id", post}, {"post", post}})});
+    }
   }
   return document;
 }
@@ -183,25 +205,37 @@ int runProjectVerb(const Session& session) {
     }
   }
   const project::Document document =
-      loaded.document.readOnly() ? loaded.document : withSettings(loaded.document, session);
+      loaded.document.readOnly() ? loaded.document
+                                 : withSettings(withPosts(loaded.document, session), session);
   const project::Pipeline pipeline(document, file, session.plugins);
   const std::filesystem::path reportFile = pathFromText(session.options.report);
-  if (reportFile.has_parent_path()) {
-    createFolder(reportFile.parent_path());
-  }
   project::RunRequest request;
   request.folder = outputFolder(session, file);
   request.operations = session.options.operations;
   request.posts = session.options.posts;
   request.tables = session.options.table;
   request.checkOnly = session.options.check;
+  request.allowOutside = session.options.allowOutside;
+  request.stored = loaded.document;
+  request.settings = session.options.settings;
+  if (session.options.json && reportFile == kStandardOutput) {
+    throw Error(ErrorCode::InvalidArgument, "--json and --report - both print on standard output",
+                {}, "leave one of them out");
+  }
+  request.plan.write(reportFile, "the report");
+  for (const std::string& plugin : session.options.plugins) {
+    request.plan.keep(pathFromText(plugin), "the plugin");
+  }
+  if (reportFile.has_parent_path()) {
+    createFolder(reportFile.parent_path());
+  }
   const project::RunResult result = project::runProject(pipeline, request, session.context);
   session.console.endProgress();
   if (!reportFile.empty()) {
     const std::string extension = reportFile.extension().string();
-    writeFileAtomically(reportFile, extension == ".html" || extension == ".htm"
-                                        ? project::htmlReport(document, result)
-                                        : toCanonicalJson(result.report));
+    writeResult(reportFile, extension == ".html" || extension == ".htm"
+                                ? project::htmlReport(document, result)
+                                : toCanonicalJson(result.report));
   }
   tell(session, result, request.folder);
   if (session.options.json) {
@@ -210,8 +244,54 @@ int runProjectVerb(const Session& session) {
   return result.exitCode();
 }
 
-int checkVerb(const Session& session) {
+namespace {
+
+/// `check --output DIR [PROJECT]`: looks at what a run has written, computes nothing.
+int checkOutputVerb(const Session& session) {
+  const std::filesystem::path folder = pathFromText(session.options.output);
   const std::filesystem::path file = pathFromText(session.options.file);
+  std::optional<project::Pipeline> pipeline;
+  project::RunRequest request;
+  request.settings = session.options.settings;
+  if (!file.empty()) {
+    const project::LoadedProject loaded = project::loadProject(file);
+    request.stored = loaded.document;
+    pipeline.emplace(withSettings(loaded.document, session), file, session.plugins);
+  }
+  const std::vector<Diagnostic> findings =
+      project::checkOutputs(folder, pipeline ? &*pipeline : nullptr, request);
+  const bool violated = std::any_of(findings.begin(), findings.end(), [](const Diagnostic& d) {
+    return d.severity == Severity::Violation;
+  });
+  session.console.findings(findings);
+  if (!violated) {
+    session.console.say(pathText(folder) + ": whole" +
+                        (file.empty() ? std::string() : ", made from " + pathText(file)));
+  }
+  if (session.options.json) {
+    Value list = Value::array();
+    for (const Diagnostic& finding : findings) {
+      list.push(toValue(finding));
+    }
+    std::fputs(toCanonicalJson(Value::object({{"folder", pathText(folder)}, {"whole", !violated}})
+                                   .set("diagnostics", list))
+                   .c_str(),
+               stdout);
+  }
+  return violated ? exitCodeOf(ErrorCode::CheckFailed) : 0;
+}
+
+}  // namespace
+
+int checkVerb(const Session& session) {
+  if (!session.options.output.empty()) {
+    return checkOutputVerb(session);
+  }
+  const std::filesystem::path file = pathFromText(session.options.file);
+  if (file.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "give a project, or a folder with --output", {},
+                "`camcli check --help` tells what there is");
+  }
   const std::string difference = project::checkCanonical(file);
   if (!difference.empty()) {
     session.console.say("  information project.not_canonical: " + difference);

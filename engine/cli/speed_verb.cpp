@@ -3,6 +3,7 @@
 
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/output_set.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/cell/cell.hpp"
@@ -97,6 +98,10 @@ int speedVerb(const Session& session) {
   const double wanted = wantedSpeed(options.speed);
   const cell::JointVector initial = initialJoints(cell, options);
   const std::filesystem::path file = pathFromText(options.file);
+  OutputPlan plan;
+  plan.keep(file, "the recording");
+  plan.keep(pathFromText(options.cell), "the cell");
+  plan.write(pathFromText(options.output), "the table");
   const motion::MotorTrace motors =
       motion::parseMotorTrace(readFile(file), cell, pathText(file), session.context);
   const motion::TcpTrace trace = motion::reconstructTcp(motors, cell, initial, session.context);
@@ -104,7 +109,7 @@ int speedVerb(const Session& session) {
   const std::string table = traceTable(trace, cell);
   session.console.endProgress();
   if (!options.output.empty()) {
-    writeFileAtomically(pathFromText(options.output), table);
+    writeResult(pathFromText(options.output), table);
   } else if (!options.json) {
     std::fputs(table.c_str(), stdout);
   }

@@ -5,6 +5,7 @@
 
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/output_set.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/cell/inverse.hpp"
 #include "wcam/io/import.hpp"
@@ -14,12 +15,17 @@
 #include "wcam/project/commands.hpp"
 #include "wcam/project/history.hpp"
 #include "wcam/project/new_outputs.hpp"
+#include "wcam/project/pipeline.hpp"
 #include "wcam/project/project_file.hpp"
 #include "wcam/toolpath/build.hpp"
 #include "wcam/toolpath/edits.hpp"
 
+#include "changed_project.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <set>
 
 namespace wcam::cli {
 
@@ -77,6 +83,46 @@ std::string planCopy(const std::filesystem::path& source,
   return source.filename().native();
 }
 
+/// What `new` makes on its way, which goes again when it fails.
+class NewFiles {
+public:
+  NewFiles() = default;
+
+  ~NewFiles() {
+    // The innermost last made; folders go when they are empty.
+    for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
+      std::error_code ignored;
+      std::filesystem::remove(*path, ignored);
+    }
+  }
+
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+
+  void folder(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> missing;
+    std::error_code ignored;
+    for (std::filesystem::path path = folder;
+         !path.empty() && !std::filesystem::exists(path, ignored); path = path.parent_path()) {
+      missing.push_back(path);
+    }
+    made_.insert(made_.end(), missing.rbegin(), missing.rend());
+    if (!folder.empty()) {
+      createFolder(folder);
+    }
+  }
+
+  void write(const CopiedFile& copy) {
+    made_.push_back(copy.target);
+    writeFileAtomically(copy.target, copy.content);
+  }
+
+  void keep() { made_.clear(); }
+
+private:
+  std::vector<std::filesystem::path> made_;
+};
+
 Value projectTemplate(const std::string& name,
                       const std::string& part,
                       const std::string& cell,
@@ -109,6 +155,45 @@ Value projectTemplate(const std::string& name,
       .set("processes", Value(Value::Array{wire}))
       .set("operations", operations)
       .set("outputs", outputs);
+}
+
+/// Commands that are piped in.
+std::string standardInput() {
+  std::string text;
+  std::array<char, 65536> buffer{};
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), stdin)) {
+    text.append(buffer.data(), got);
+  }
+  return text;
+}
+
+/// Without the index of its node, which other commands may have changed.
+std::string keyOf(const ParamProblem& problem) {
+  const std::size_t index = problem.path.find(']');
+  return (index == std::string::npos ? problem.path : problem.path.substr(index)) + ": " +
+         problem.message.str();
+}
+
+/// A project must not get what a run would refuse. What was wrong before may stay.
+void refuseNewProblems(const project::Pipeline& before, const project::Pipeline& after) {
+  std::multiset<std::string> old;
+  for (const ParamProblem& problem : before.problems()) {
+    old.insert(keyOf(problem));
+  }
+  std::vector<std::string> fresh;
+  for (const ParamProblem& problem : after.problems()) {
+    const auto known = old.find(keyOf(problem));
+    if (known == old.end()) {
+      fresh.push_back((problem.path.empty() ? "" : problem.path + ": ") + problem.message.str());
+    } else {
+      old.erase(known);
+    }
+  }
+  if (!fresh.empty()) {
+    throw Error(ErrorCode::ProjectInvalid,
+                "the commands would leave what a run refuses: " + joinText(fresh, "; "),
+                pathText(after.file()), "correct the commands; the project stays as it was");
+  }
 }
 
 /// Schemas of the engine's own sections, beside those of the plugins' components.
@@ -151,11 +236,12 @@ int newVerb(const Session& session) {
   }
   const std::string part =
       options.part.empty() ? std::string() : planCopy(pathFromText(options.part), file, copies);
-  if (file.has_parent_path()) {
-    createFolder(file.parent_path());
-  }
+  NewFiles made;
+  made.folder(file.parent_path());
+  const auto lock = project::ProjectLock::take(file);
+  refuseExisting(file);
   for (const CopiedFile& copy : copies) {
-    writeFileAtomically(copy.target, copy.content);
+    made.write(copy);
   }
   const std::string name = options.name.empty() ? file.stem().native() : options.name;
   project::Document document = project::Document::parse(
@@ -165,6 +251,7 @@ int newVerb(const Session& session) {
       pathText(file));
   document = project::apply(document, project::pinCommand(document, file));
   project::saveProject(document, file);
+  made.keep();
   session.console.say("made " + pathText(file));
   if (options.json) {
     print(Value::object({{"project", pathText(file)}}));
@@ -222,10 +309,31 @@ int applyVerb(const Session& session) {
     throw Error(ErrorCode::InvalidArgument, "lies in another folder than the project",
                 pathText(target), "the project names its files relative to its own folder");
   }
-  const project::LoadedProject loaded = project::loadProject(file);
-  project::History history(loaded.document);
-  const std::size_t lines = history.replay(readFile(log), pathText(log));
-  project::saveProject(history.current(), target);
+  OutputPlan plan;
+  if (fileIdentity(target) != fileIdentity(file)) {
+    plan.keep(log, "the command file");
+    if (target.extension() != ".wcam") {
+      throw Error(ErrorCode::OutputConflict, "a project file ends in .wcam", pathText(target),
+                  "name it " + pathText(target.filename()) + ".wcam");
+    }
+  }
+  const ChangedProject changed(file);
+  const project::Document& before = changed.loaded.document;
+  for (const project::UsedFile& used : project::usedFiles(before)) {
+    plan.keep(project::resolvePath(file, used.ref), text("the file of the %1", {used.owner}));
+  }
+  plan.write(target, "the changed project");
+  project::History history(before);
+  const bool piped = session.options.commands == kStandardOutput;
+  const std::size_t lines = history.replay(piped ? standardInput() : readFile(log),
+                                           piped ? "standard input" : pathText(log));
+  refuseNewProblems({before, file, session.plugins}, {history.current(), file, session.plugins});
+  if (fileIdentity(target) == fileIdentity(file)) {
+    changed.save(session, history.current());
+  } else {
+    const auto lock = project::ProjectLock::take(target);
+    project::saveProject(history.current(), target);
+  }
   session.console.say("applied " + std::to_string(lines) + (lines == 1 ? " command" : " commands") +
                       ", saved " + pathText(target));
   if (session.options.json) {
@@ -263,7 +371,7 @@ int pluginsListVerb(const Session& session) {
   if (session.options.json) {
     print(Value::object({{"plugins", list}}));
   } else {
-    std::fputs(text.c_str(), stdout);
+    std::fputs(printable(text).c_str(), stdout);
   }
   return 0;
 }

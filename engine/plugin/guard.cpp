@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <iostream>
 #include <mutex>
+#include <new>
 #include <set>
 
 namespace wcam::plugin {
@@ -51,6 +52,8 @@ public:
                           error.settings());
     } catch (const Error& error) {
       fail(error.whatText(), error.hintText());
+    } catch (const std::bad_alloc&) {
+      throw;  // the part is too large, which is not the plugin's fault
     } catch (...) {
       fail(text("failed: %1", {currentExceptionText()}), "report this to the vendor of the plugin");
     }

@@ -387,7 +387,7 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
                 text(slicing ? "strategy '%1' cannot be used: %2"
                              : "post-processor '%1' cannot be used: %2",
                      {name, joinTexts(reasons, "; ")}),
-                {}, "install a plugin that fits, or see `camcli plugins list --verbose`");
+                {}, "install a plugin that fits, or see `camcli plugins list`");
   }
   std::vector<std::string> places;
   for (const fs::path& file : search.files) {

@@ -104,8 +104,10 @@ private:
                   wcam::text("'%1' cannot be set: no plugin provides %2", {key, missing}), "--set",
                   "install the plugin; `camcli plugins list` shows what there is");
     }
-    const Text unknown =
-        didYouMean(wcam::text("'%1' is no parameter of this project", {key}), key, known_);
+    // All keys of a project fill pages: the nearest is named, or where the list is.
+    const Text plain = wcam::text("'%1' is no parameter of this project", {key});
+    const auto near = nearestName(key, known_);
+    const Text unknown = near ? wcam::text("%1; did you mean '%2'?", {plain, *near}) : plain;
     refuse(
         missing_.empty() ? unknown : wcam::text("%1 (no plugin provides %2)", {unknown, missing}),
         "write KEY, ID.KEY or ID.SECTION.KEY; `camcli schema` lists the parameters");

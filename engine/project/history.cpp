@@ -277,7 +277,10 @@ std::size_t History::replay(std::string_view log, const std::string& context) {
     try {
       replayLine(parsed);
     } catch (const Error& error) {
-      throw Error(error.code(), error.whatText(), place, error.hintText());
+      // A wrong command is a mistake of the file, not of the command line.
+      throw Error(
+          error.code() == ErrorCode::InvalidArgument ? ErrorCode::InputInvalid : error.code(),
+          error.whatText(), place, error.hintText());
     }
     ++applied;
   }

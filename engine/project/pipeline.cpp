@@ -207,36 +207,6 @@ OperationError::~OperationError() = default;
 
 namespace {
 
-/// Components that no plugin provides. They stop what needs them, and a project only when nothing
-/// else is left.
-class MissingComponents {
-public:
-  /// @return nothing when the component is missing
-  template <class Find>
-  auto unless(const Find& find) -> decltype(find()) {
-    try {
-      return find();
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::PluginMissing && error.code() != ErrorCode::PluginRefused) {
-        throw;
-      }
-      ++count_;
-      first_ = first_ ? first_ : std::optional(error);
-      return nullptr;
-    }
-  }
-
-  void throwIfAll(std::size_t all) const {
-    if (all > 0 && count_ == all) {
-      throw Error(*first_);
-    }
-  }
-
-private:
-  std::size_t count_ = 0;
-  std::optional<Error> first_;
-};
-
 /// Joint values, frames and configurations of one make mean something else on another.
 void checkController(const plugin::ComponentInfo& post,
                      const program::Program& program,
@@ -289,11 +259,44 @@ Staged<T> Pipeline::stage(const std::string& name,
                         [](const T& value) { return bytesOf(value); });
 }
 
-std::vector<Diagnostic> Pipeline::validate() const {
+/// Components that no plugin provides. They stop what needs them, and a project only when nothing
+/// else is left.
+class Pipeline::MissingComponents {
+public:
+  /// @return nothing when the component is missing
+  template <class Find>
+  auto unless(const Find& find) -> decltype(find()) {
+    try {
+      return find();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::PluginMissing && error.code() != ErrorCode::PluginRefused) {
+        throw;
+      }
+      errors_.push_back(error);
+      return nullptr;
+    }
+  }
+
+  void throwIfAll(std::size_t all) const {
+    if (all > 0 && errors_.size() == all) {
+      throw Error(errors_.front());
+    }
+  }
+
+  void addTo(std::vector<ParamProblem>& problems) const {
+    for (const Error& error : errors_) {
+      problems.push_back({{}, error.whatText()});
+    }
+  }
+
+private:
+  std::vector<Error> errors_;
+};
+
+std::vector<ParamProblem> Pipeline::problems(MissingComponents& strategies,
+                                             MissingComponents& posts) const {
   const Project& project = document_.project();
   std::vector<ParamProblem> problems;
-  MissingComponents strategies;
-  MissingComponents posts;
   for (std::size_t i = 0; i < project.parts.size(); ++i) {
     checkParams(io::importOptionsSchema().params(), project.parts[i].import,
                 "parts[" + std::to_string(i) + "].import", problems);
@@ -348,8 +351,24 @@ std::vector<Diagnostic> Pipeline::validate() const {
                   "outputs[" + std::to_string(i) + "].params", problems);
     }
   }
-  strategies.throwIfAll(project.operations.size());
-  posts.throwIfAll(project.outputs.size());
+  return problems;
+}
+
+std::vector<ParamProblem> Pipeline::problems() const {
+  MissingComponents strategies;
+  MissingComponents posts;
+  std::vector<ParamProblem> found = problems(strategies, posts);
+  strategies.addTo(found);
+  posts.addTo(found);
+  return found;
+}
+
+std::vector<Diagnostic> Pipeline::validate() const {
+  MissingComponents strategies;
+  MissingComponents posts;
+  std::vector<ParamProblem> problems = this->problems(strategies, posts);
+  strategies.throwIfAll(document_.project().operations.size());
+  posts.throwIfAll(document_.project().outputs.size());
   std::vector<Diagnostic> findings;
   for (const ParamProblem& problem : problems) {
     if (problem.unknown) {
@@ -459,7 +478,15 @@ std::shared_ptr<const geometry::GuideCurve> Pipeline::makeGuide(const Guide& gui
       key = joinText({guide.formulas[0], guide.formulas[1], guide.formulas[2],
                       formatFixed(guide.begin, 12), formatFixed(guide.end, 12)},
                      ";");
-      return geometry::guideFromFormula(guide.formulas, guide.begin, guide.end);
+      try {
+        return geometry::guideFromFormula(guide.formulas, guide.begin, guide.end);
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::InvalidArgument) {
+          throw;
+        }
+        throw Error(ErrorCode::ProjectInvalid, error.whatText(), text("guide '%1'", {guide.id}),
+                    error.hintText());
+      }
   }
   return nullptr;
 }

@@ -13,6 +13,7 @@
 #include "file_schema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 namespace wcam::project {
@@ -103,6 +104,7 @@ LoadedProject parseProject(std::string_view text,
   const std::string context = pathText(file);
   LoadedProject loaded;
   loaded.file = file;
+  loaded.sha256 = sha256Hex(text);
   Value tree = migrate(parseJson(text, context), migrations, context, loaded.findings);
   loaded.migrated = !loaded.findings.empty();
   loaded.document = Document::parse(std::move(tree), context);
@@ -113,17 +115,32 @@ LoadedProject parseProject(std::string_view text,
 
 LoadedProject loadProject(const std::filesystem::path& file,
                           const std::vector<Migration>& migrations) {
-  return parseProject(readFile(file), file, migrations);
+  const std::string extension = file.extension().string();
+  constexpr std::array kParts = {".step", ".stp", ".STEP", ".STP", ".stl",
+                                 ".STL",  ".obj", ".ply",  ".3mf", ".wsurf"};
+  std::string content = readFile(file);
+  if (std::find(kParts.begin(), kParts.end(), extension) != kParts.end()) {
+    throw Error(ErrorCode::InputInvalid, "is a part, not a project", pathText(file),
+                text("make a project of it: camcli new %1.wcam --part %2",
+                     {pathText(file.stem()), pathText(file)}));
+  }
+  return parseProject(content, file, migrations);
 }
 
-void saveProject(const Document& document, const std::filesystem::path& file) {
+void saveProject(const Document& document,
+                 const std::filesystem::path& file,
+                 const std::string& expected) {
   if (document.readOnly()) {
     throw Error(ErrorCode::ProjectReadOnly,
                 "the project was written by a newer version and cannot be saved by this one",
                 pathText(file), "use the newer version of WCAM");
   }
+  if (!expected.empty() && (!isPresent(file) || sha256OfFile(file) != expected)) {
+    throw Error(ErrorCode::OutputConflict,
+                "another program has changed or removed the file since it was read", pathText(file),
+                "read it again, or save under another name");
+  }
   writeFileAtomically(file, document.text());
-  dropAutosave(file);
 }
 
 std::string checkCanonical(const std::filesystem::path& file) {

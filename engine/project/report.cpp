@@ -312,7 +312,8 @@ Value projectReport(const Document& document,
   }
   Value written = Value::array();
   for (const WrittenFile& file : files) {
-    Value entry = Value::object({{"path", file.path}, {"bytes", file.bytes}});
+    Value entry =
+        Value::object({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
     if (!file.output.empty()) {
       entry.set("output", file.output);
     }

@@ -5,13 +5,15 @@
 
 #include "wcam/base/file_io.hpp"
 #include "wcam/base/json.hpp"
+#include "wcam/base/sha256.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/project/project_file.hpp"
+#include "wcam/project/provenance.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <list>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -169,17 +171,49 @@ Text writerName(const WrittenFile& file) {
                              : text("the output '%1' for '%2'", {file.output, file.operation});
 }
 
-/// Two files of one path would silently replace each other.
-void refuseDuplicates(const std::vector<PendingFile>& pending) {
-  std::map<std::string, std::string> seen = {{kReportFile, "the report"}};
-  for (const PendingFile& file : pending) {
-    const auto [other, fresh] = seen.emplace(file.file.path, writerName(file.file));
-    if (!fresh) {
-      throw Error(
-          ErrorCode::OutputConflict,
-          text("%1 and %2 both write %3", {other->second, writerName(file.file), file.file.path}),
-          "outputs", "give one of the outputs another folder");
+/// Where an output of this folder lies: in the output folder, or outside of it.
+struct Place {
+  std::filesystem::path root;
+  std::string path;  ///< below the root
+};
+
+bool leaves(const std::string& path) {
+  const std::filesystem::path plain = pathFromText(path).lexically_normal();
+  return plain.is_absolute() || (!plain.empty() && *plain.begin() == "..");
+}
+
+Place placeOf(const std::filesystem::path& folder, const WrittenFile& file) {
+  const std::filesystem::path path = pathFromText(file.path);
+  if (!leaves(file.path)) {
+    return {folder, pathText(path.lexically_normal())};
+  }
+  return {(folder / path.parent_path()).lexically_normal(), pathText(path.filename())};
+}
+
+void refuseOutside(const std::vector<Output>& outputs) {
+  for (const Output& output : outputs) {
+    if (leaves(output.folder)) {
+      throw Error(ErrorCode::OutputConflict,
+                  text("the folder '%1' of output '%2' lies outside of the output folder",
+                       {output.folder, output.id}),
+                  "outputs", "name a folder below it, or allow it with --allow-outside");
     }
+  }
+}
+
+/// The files that the run reads; outputs must not replace them.
+void keepInputs(const Pipeline& pipeline, OutputPlan& plan) {
+  plan.keep(pipeline.file(), "the project");
+  for (const UsedFile& used : usedFiles(pipeline.document())) {
+    plan.keep(resolvePath(pipeline.file(), used.ref), text("the file of the %1", {used.owner}));
+  }
+}
+
+void planOutputs(const std::filesystem::path& folder,
+                 const std::vector<PendingFile>& pending,
+                 OutputPlan& plan) {
+  for (const PendingFile& file : pending) {
+    plan.write(folder / pathFromText(file.file.path), writerName(file.file));
   }
 }
 
@@ -204,7 +238,7 @@ void printOutputs(const Pipeline& pipeline,
       PrintedOutput printed = printOutput(pipeline, output, operation, context);
       for (plugin::OutputFile& file : printed.files) {
         WrittenFile written{output.id, operation.id, joinedPath(output.folder, file.name),
-                            file.content.size()};
+                            file.content.size(), sha256Hex(file.content)};
         pending.push_back({std::move(written), std::move(file.content)});
       }
       if (printed.error) {
@@ -244,18 +278,28 @@ std::vector<std::string> leftFiles(const std::filesystem::path& folder,
   return left;
 }
 
-/// Once begun, the files are written to the end: a cancel in between would leave programs of two
+/// Once begun, the files are swapped to the end: a cancel in between would leave programs of two
 /// runs side by side.
 void writeAll(const std::filesystem::path& folder,
-              const std::vector<PendingFile>& pending,
+              std::vector<PendingFile> pending,
               const Value& report) {
-  std::list<OutputFolder> folders;
-  for (const PendingFile& file : pending) {
-    const std::filesystem::path path = folder / pathFromText(file.file.path);
-    folders.emplace_back(path.parent_path());
-    writeFileAtomically(path, file.content);
+  std::map<std::filesystem::path, OutputSet> outside;
+  OutputSet inside(folder);
+  for (PendingFile& file : pending) {
+    Place place = placeOf(folder, file.file);
+    OutputSet& set =
+        place.root == folder ? inside : outside.try_emplace(place.root, place.root).first->second;
+    set.add(std::move(place.path), std::move(file.content));
   }
-  writeFileAtomically(folder / kReportFile, toCanonicalJson(report));
+  inside.add(kReportFile, toCanonicalJson(report));
+  inside.prepare();
+  for (auto& [root, set] : outside) {
+    set.prepare();
+  }
+  for (auto& [root, set] : outside) {
+    set.swap();
+  }
+  inside.swap();
 }
 
 /// A newer format may mean something else by what this program seems to understand.
@@ -337,6 +381,12 @@ RunResult runProject(const Pipeline& pipeline,
   result.projectFindings.insert(result.projectFindings.end(), warnings.begin(), warnings.end());
   const std::vector<std::string> ids = operationIds(pipeline.document().project(), request);
   const std::vector<Output> outputs = requestedOutputs(pipeline, request);
+  OutputPlan plan = request.plan;
+  keepInputs(pipeline, plan);
+  if (!request.allowOutside) {
+    refuseOutside(outputs);
+  }
+  const Value origin = provenance(pipeline, request, ids, outputs);
   std::optional<OutputFolder> folder;
   if (!request.checkOnly) {
     folder.emplace(request.folder);
@@ -352,11 +402,14 @@ RunResult runProject(const Pipeline& pipeline,
     for (const OperationResult& operation : result.operations) {
       context.check();
       std::string table = operationTable(operation);
-      pending.push_back(
-          {{"", operation.id, operation.id + ".csv", table.size()}, std::move(table)});
+      pending.push_back({{"", operation.id, operation.id + ".csv", table.size(), sha256Hex(table)},
+                         std::move(table)});
     }
   }
-  refuseDuplicates(pending);
+  if (!request.checkOnly) {
+    plan.write(request.folder / kReportFile, "the report of the output folder");
+  }
+  planOutputs(request.folder, pending, plan);
   if (!request.checkOnly) {
     for (const PendingFile& file : pending) {
       result.files.push_back(file.file);
@@ -373,11 +426,15 @@ RunResult runProject(const Pipeline& pipeline,
     }
     keptBack.push(entry);
   }
-  result.report.set("kept_back", keptBack);
+  Value left = Value::array();
+  for (const std::string& path : result.leftFiles) {
+    left.push(Value(path));
+  }
+  result.report.set("kept_back", keptBack).set("left_files", left).set("provenance", origin);
   context.check();
   result.written = !request.checkOnly && !result.operations.empty();
   if (result.written) {
-    writeAll(request.folder, pending, result.report);
+    writeAll(request.folder, std::move(pending), result.report);
   }
   context.report(1.0);
   return result;

@@ -257,6 +257,7 @@ void MainWindow::connectAll() {
   connect(session_, &Session::fileChanged, this, &MainWindow::showTitle);
   connect(session_, &Session::resultsChanged, this, &MainWindow::showResults);
   connect(session_, &Session::stateChanged, this, &MainWindow::showState);
+  connect(session_, &Session::changedOnDisk, this, &MainWindow::offerReload);
   connect(session_, &Session::failed, this,
           [this](const QString& message) { notify(Status::Error, message); });
   session_->generation().setProgress([this](double fraction, const std::string& label) {

@@ -120,6 +120,8 @@ private:
   bool save();
   bool saveAsDialog();
   bool mayDiscard();
+  /// Another program has changed the file: read it again, or keep what is here.
+  void offerReload();
   bool offerRecovery(const std::filesystem::path& file);
   void remember(const std::filesystem::path& file);
   void importFiles(const QStringList& files);

@@ -189,6 +189,31 @@ void MainWindow::openDialog() {
   }
 }
 
+void MainWindow::offerReload() {
+  auto* box = new QMessageBox(
+      QMessageBox::Question, tr("The project file has changed"),
+      tr("Another program has changed %1. Read the file again, or keep what is open here and "
+         "replace the file when saving?")
+          .arg(qt(session_->file().filename().string())),
+      QMessageBox::NoButton, this);
+  box->setObjectName("reloadBox");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* reload = box->addButton(tr("Read again"), QMessageBox::AcceptRole);
+  QPushButton* keep = box->addButton(tr("Keep what is open"), QMessageBox::RejectRole);
+  connect(box, &QMessageBox::buttonClicked, this, [this, reload, keep](QAbstractButton* button) {
+    try {
+      if (button == reload) {
+        session_->open(session_->file());
+      } else if (button == keep) {
+        session_->keepOwn();
+      }
+    } catch (const Error& error) {
+      notify(Status::Error, errorText(error));
+    }
+  });
+  box->open();
+}
+
 bool MainWindow::offerRecovery(const std::filesystem::path& file) {
   // What another program is working on is not lost.
   if (!project::recoverable(std::filesystem::absolute(file)) ||
@@ -546,6 +571,7 @@ void MainWindow::writeReport(const std::filesystem::path& file) {
          project::RunRequest request;
          request.folder = file.parent_path();
          request.checkOnly = true;
+         request.plan.write(file, "the report");
          const project::RunResult result = project::runProject(pipeline, request, context);
          std::string html = project::htmlReport(pipeline.document(), result);
          html.insert(std::min(html.rfind("</body>"), html.size()), picture);

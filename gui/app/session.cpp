@@ -5,6 +5,7 @@
 
 #include "wcam/base/budget.hpp"
 #include "wcam/base/file_io.hpp"
+#include "wcam/base/sha256.hpp"
 
 #include "widgets/text.hpp"
 
@@ -60,10 +61,6 @@ std::string broughtBeside(const std::filesystem::path& source,
     writeFileAtomically(target, readFile(source));
   }
   return pathText(source.filename());
-}
-
-std::filesystem::path lockPath(const std::filesystem::path& file) {
-  return file.parent_path() / ("." + file.filename().string() + ".lock");
 }
 
 std::set<std::string> pathsOf(const project::Document& document) {
@@ -139,6 +136,8 @@ Session::Session(std::shared_ptr<const plugin::PluginHost> plugins, QObject* par
   autosave_.setInterval(kAutosaveMs);
   connect(&autosave_, &QTimer::timeout, this, &Session::autosaveNow);
   autosave_.start();
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &Session::lookAtFile);
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &Session::lookAtFile);
   soon_.setSingleShot(true);
   soon_.setInterval(kAutosaveSoonMs);
   connect(&soon_, &QTimer::timeout, this, &Session::autosaveNow);
@@ -177,7 +176,10 @@ std::vector<Diagnostic> Session::open(const std::filesystem::path& file, bool re
   autosaved_ = history_->stateId();
   autosaveThere_ = recovered_;
   savedPaths_ = pathsOf(onDisk);
+  onDisk_ = loaded.sha256;
+  offered_.clear();
   lock();
+  watch();
   emit fileChanged();
   changed();
   return loaded.findings;
@@ -192,6 +194,7 @@ void Session::create(const project::Document& document) {
   file_.clear();
   recovered_ = false;
   lock_.reset();
+  watch();
   lockedBy_.clear();
   generated_ = {};
   first_.clear();
@@ -207,30 +210,53 @@ QString Session::holderOf(const std::filesystem::path& file) const {
   if (path == file_ && lock_) {
     return {};
   }
-  QLockFile lock(qt(pathText(lockPath(path))));
-  // The lock of a program that is gone is taken over at once; age alone says nothing.
-  lock.setStaleLockTime(0);
-  qint64 pid = 0;
-  QString host;
-  QString program;
   // A folder that cannot be written to has no lock, and needs none.
-  if (lock.tryLock(0) || lock.error() != QLockFile::LockFailedError ||
-      !lock.getLockInfo(&pid, &host, &program)) {
-    return {};
-  }
-  return tr("process %1 on %2").arg(pid).arg(host);
+  const auto attempt = project::ProjectLock::attempt(path, project::ProjectLock::Use::Open);
+  return attempt.holder.empty() ? QString() : qt(attempt.holder.str());
 }
 
 void Session::lock() {
   lock_.reset();
-  lockedBy_ = holderOf(file_);
-  if (lockedBy_.isEmpty()) {
-    auto lock = std::make_unique<QLockFile>(qt(pathText(lockPath(file_))));
-    lock->setStaleLockTime(0);
-    if (lock->tryLock(0)) {
-      lock_ = std::move(lock);
-    }
+  auto attempt = project::ProjectLock::attempt(file_, project::ProjectLock::Use::Open);
+  lockedBy_ = attempt.holder.empty() ? QString() : qt(attempt.holder.str());
+  lock_ = std::move(attempt.lock);
+}
+
+void Session::watch() {
+  if (!watcher_.files().isEmpty()) {
+    watcher_.removePaths(watcher_.files());
   }
+  if (!watcher_.directories().isEmpty()) {
+    watcher_.removePaths(watcher_.directories());
+  }
+  if (!file_.empty()) {
+    // Programs that replace a file rather than write it are seen in its folder.
+    watcher_.addPath(qt(pathText(file_)));
+    watcher_.addPath(qt(pathText(file_.parent_path())));
+  }
+}
+
+void Session::lookAtFile() {
+  std::error_code ignored;
+  if (file_.empty() || !std::filesystem::is_regular_file(file_, ignored)) {
+    return;
+  }
+  try {
+    const std::string now = sha256OfFile(file_);
+    if (now != onDisk_ && now != offered_) {
+      offered_ = now;
+      emit changedOnDisk();
+    }
+  } catch (const Error&) {
+    return;  // being replaced: the next look tells
+  }
+  if (watcher_.files().isEmpty()) {
+    watcher_.addPath(qt(pathText(file_)));
+  }
+}
+
+void Session::keepOwn() {
+  onDisk_ = sha256OfFile(file_);
 }
 
 void Session::save() {
@@ -240,7 +266,8 @@ void Session::save() {
                 "close it there, or save under another name");
   }
   bringFiles(file_, savedPaths_);
-  project::saveProject(document(), file_);
+  project::saveProject(document(), file_, onDisk_);
+  project::dropAutosave(file_);
   markSaved();
   emit fileChanged();
 }
@@ -260,12 +287,16 @@ void Session::markSaved() {
   autosaved_ = history_->stateId();
   autosaveThere_ = false;
   savedPaths_ = pathsOf(document());
+  onDisk_ = sha256Hex(document().text());
 }
 
 void Session::saveAs(const std::filesystem::path& file) {
   const std::filesystem::path path = std::filesystem::absolute(file);
+  // Its own lock is held; another project that is open elsewhere is not replaced.
+  auto target = path == file_ && lock_ ? nullptr : project::ProjectLock::take(path);
   bringFiles(path, {});
   project::saveProject(document(), path);
+  project::dropAutosave(path);
   if (file_.empty()) {
     forgetUntitled();
   } else if (file_ != path && lockedBy_.isEmpty()) {
@@ -273,7 +304,9 @@ void Session::saveAs(const std::filesystem::path& file) {
   }
   file_ = path;
   markSaved();
+  target.reset();
   lock();
+  watch();
   emit fileChanged();
   emit documentChanged();
 }

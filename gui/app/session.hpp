@@ -4,11 +4,12 @@
 
 #include "wcam/project/history.hpp"
 #include "wcam/project/project_file.hpp"
+#include "wcam/project/project_lock.hpp"
 
 #include "model/generation.hpp"
 #include "model/job_runner.hpp"
 
-#include <QLockFile>
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QTimer>
 
@@ -53,8 +54,12 @@ public:
   std::vector<Diagnostic> open(const std::filesystem::path& file, bool recovered = false);
   void create(const project::Document& document);
   /// Files outside of the project's folder that were added since the last time are copied beside
-  /// it. @throws Error
+  /// it. @throws Error, also when another program has changed the file
   void save();
+  /// Saving replaces what another program has written.
+  void keepOwn();
+  /// Tells when the file is not what was read or saved.
+  void lookAtFile();
   /// Files of the project that would be out of reach are copied beside it. @throws Error
   void saveAs(const std::filesystem::path& file);
 
@@ -110,6 +115,7 @@ public:
 signals:
   void documentChanged();
   void fileChanged();
+  void changedOnDisk();  ///< by another program
   /// More results are there, or all.
   void resultsChanged();
   void stateChanged();  ///< running, stale, cancelled
@@ -119,6 +125,7 @@ private:
   void setHistory(const project::Document& document);
   void changed();
   void lock();
+  void watch();
   void markSaved();
   /// Copies files that lie elsewhere beside a project file, as one step.
   void bringFiles(const std::filesystem::path& to, const std::set<std::string>& kept);
@@ -131,7 +138,10 @@ private:
   std::shared_ptr<project::StageCache> cache_;
   std::unique_ptr<project::History> history_;
   std::filesystem::path file_;
-  std::unique_ptr<QLockFile> lock_;
+  std::unique_ptr<project::ProjectLock> lock_;
+  QFileSystemWatcher watcher_;
+  std::string onDisk_;   ///< hash of the file as it was read or saved
+  std::string offered_;  ///< hash of the changed file that was told last
   QString lockedBy_;
   QTimer autosave_;
   QTimer soon_;  ///< an autosave when the changes rest

@@ -98,7 +98,8 @@ std::vector<char*> pointers(std::vector<std::string>& lines) {
                          int err) {
   // A process group of its own takes no signals that are meant for the test.
   ::setpgid(0, 0);
-  const int in = ::open("/dev/null", O_RDONLY);
+  const int in =
+      ::open(request.standardInput.empty() ? "/dev/null" : request.standardInput.c_str(), O_RDONLY);
   ::dup2(in, STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);

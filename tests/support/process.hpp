@@ -20,6 +20,7 @@ struct ProcessRequest {
   std::map<std::string, std::string> environment;  ///< on top of the test's own
   std::optional<std::size_t> fileSizeLimit;        ///< bytes; what a full disk looks like
   std::filesystem::path standardOutput;            ///< file to write to instead of reading it
+  std::filesystem::path standardInput;             ///< file to read; empty: nothing
   bool closedStandardOutput = false;
   bool terminal = false;      ///< standard error is a terminal
   std::optional<int> signal;  ///< sent as soon as standard error has text

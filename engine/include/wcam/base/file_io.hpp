@@ -20,6 +20,9 @@ void requireFileSize(std::uint64_t bytes, const std::filesystem::path& file);
 /// permission, ...)
 void writeFileAtomically(const std::filesystem::path& file, std::string_view content);
 
+/// Neither marked as read-only nor out of reach; a file that does not exist may be made.
+bool mayReplace(const std::filesystem::path& file);
+
 /// Creates a folder with its parents. @throws Error(OutputConflict)
 void createFolder(const std::filesystem::path& folder);
 

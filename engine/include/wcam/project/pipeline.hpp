@@ -72,6 +72,9 @@ public:
   /// @throws Error(ProjectInvalid / PluginMissing / InputNotFound) listing them
   [[nodiscard]] std::vector<Diagnostic> validate() const;
 
+  /// Everything that validate() finds wrong with parameters and components, one by one.
+  [[nodiscard]] std::vector<ParamProblem> problems() const;
+
   /// @throws Error of the stage that fails, with the operation in its context
   [[nodiscard]] OperationResult compute(const std::string& operation,
                                         const JobContext& context) const;
@@ -107,9 +110,15 @@ public:
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
 
+  /// The project file.
+  [[nodiscard]] const std::filesystem::path& file() const noexcept { return project_; }
+
   [[nodiscard]] const plugin::PluginHost& plugins() const noexcept { return *plugins_; }
 
 private:
+  class MissingComponents;
+  [[nodiscard]] std::vector<ParamProblem> problems(MissingComponents& strategies,
+                                                   MissingComponents& posts) const;
   template <class T>
   Staged<T> stage(const std::string& name,
                   StageKey key,

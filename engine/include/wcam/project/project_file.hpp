@@ -30,6 +30,7 @@ struct LoadedProject {
   std::filesystem::path file;
   std::vector<Diagnostic> findings;  ///< of the document, and `project.migrated` per step
   bool migrated = false;             ///< saving changes the format version of the file
+  std::string sha256 = {};           ///< of the file as it was read
 };
 
 /// Parses the text of a project file; migrates older versions in memory.
@@ -42,9 +43,14 @@ LoadedProject parseProject(std::string_view text,
 LoadedProject loadProject(const std::filesystem::path& file,
                           const std::vector<Migration>& migrations = releasedMigrations());
 
-/// Writes the canonical text atomically and drops the autosave. @throws Error(ProjectReadOnly) for
-/// a document of a newer version, Error(OutputConflict); the old file stays then.
-void saveProject(const Document& document, const std::filesystem::path& file);
+/// Writes the canonical text atomically, under a ProjectLock of the caller. The autosave is that of
+/// a window, which drops it itself.
+/// @param expected hash of the file as the document was read from it; empty: whatever is there
+/// @throws Error(ProjectReadOnly) for a document of a newer version, Error(OutputConflict), also
+///   when the file is not what was read; the old file stays then.
+void saveProject(const Document& document,
+                 const std::filesystem::path& file,
+                 const std::string& expected = {});
 
 /// Empty when saving the loaded file would change no byte, else where it would, with the line.
 /// @throws as loadProject

@@ -26,6 +26,7 @@ struct WrittenFile {
   std::string operation;
   std::string path;
   std::size_t bytes = 0;
+  std::string sha256 = {};
 };
 
 /// An operation or output that gave no result.
@@ -39,7 +40,7 @@ struct RunFailure {
 inline constexpr int kReportVersion = 1;
 
 /// report.json: {"format": "wcam-report", "format_version", "project", "operations", "files",
-/// "diagnostics", "errors"}.
+/// "diagnostics", "errors"}; runProject adds "kept_back" and "provenance".
 Value projectReport(const Document& document,
                     const std::vector<OperationResult>& results,
                     const std::vector<WrittenFile>& files,

@@ -4,6 +4,7 @@
 
 #include "wcam/base/context.hpp"
 #include "wcam/base/error.hpp"
+#include "wcam/base/output_set.hpp"
 #include "wcam/project/pipeline.hpp"
 #include "wcam/project/report.hpp"
 
@@ -22,6 +23,13 @@ struct RunRequest {
       posts;               ///< ids of outputs or of post-processors; empty: all stored outputs
   bool tables = false;     ///< also write <operation>.csv
   bool checkOnly = false;  ///< compute and look, write nothing
+  /// Outputs may have a folder that is absolute or leaves the output folder by "..".
+  bool allowOutside = false;
+  /// What else the caller reads and writes, such as a report. The run adds its own files.
+  OutputPlan plan = {};
+  /// The project as it is stored, where settings for this run have changed the pipeline's.
+  std::optional<Document> stored = {};
+  std::vector<std::string> settings = {};  ///< those settings, KEY=VALUE, for the report
 };
 
 /// A program that is not written, since checks are violated.
@@ -65,14 +73,15 @@ PrintedOutput printOutput(const Pipeline& pipeline,
 bool prints(const Output& output, const std::string& operation);
 
 /// Computes the operations and writes their programs, tables and report.json. Everything is
-/// computed before the first file is written, each file is replaced atomically, so that a failure
-/// or a cancel leaves no half-written output, and no empty folder. An operation with violations
-/// gets no robot program: its findings say why. So do those of an output, whose program is then
-/// kept back alone. A failing operation does not stop the others; when all fail, nothing is
+/// computed before the first file is written, and the files are replaced together (OutputSet), so
+/// that a failure or a cancel leaves no half-written output, and no empty folder. An operation with
+/// violations gets no robot program: its findings say why. So do those of an output, whose program
+/// is then kept back alone. A failing operation does not stop the others; when all fail, nothing is
 /// written.
 /// @throws Error for problems of the request or the whole project: ProjectReadOnly for a project of
 /// a newer format, since a robot program made from what is understood of it could be wrong;
-/// PluginMissing for a post that is neither an output nor a component; CancelledError
+/// PluginMissing for a post that is neither an output nor a component; OutputConflict for outputs
+/// that would replace inputs or each other, or leave the folder; CancelledError
 RunResult runProject(const Pipeline& pipeline,
                      const RunRequest& request,
                      const JobContext& context);
