@@ -8,7 +8,7 @@
 #include "wcam/base/sha256.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/project/project_file.hpp"
-#include "wcam/version.h"
+#include "wcam/base/version.h"
 
 #include <algorithm>
 #include <set>

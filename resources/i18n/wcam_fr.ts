@@ -4581,10 +4581,6 @@
         <translation>donner une liste de valeurs par pièce</translation>
     </message>
     <message>
-        <source>give one of the outputs another folder</source>
-        <translation>donner un autre dossier à l’une des sorties</translation>
-    </message>
-    <message>
         <source>give one per triangle or none</source>
         <translation>en donner une par triangle ou aucune</translation>
     </message>
@@ -4715,10 +4711,6 @@
     <message>
         <source>insets</source>
         <translation>contours intérieurs</translation>
-    </message>
-    <message>
-        <source>install a plugin that fits, or see `camcli plugins list --verbose`</source>
-        <translation>installer une extension qui convient, ou voir « camcli plugins list --verbose »</translation>
     </message>
     <message>
         <source>install the plugin; `camcli plugins list` shows what there is</source>
@@ -8836,31 +8828,211 @@
     </message>
     <message>
         <source>%1 lines</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lignes</translation>
     </message>
     <message>
         <source>%1 positions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 positions</translation>
     </message>
     <message>
         <source>%1 positions and %2 lines</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 positions et %2 lignes</translation>
     </message>
     <message>
         <source>%1 triangles back to back between touching bodies were dropped, the first at %2 mm: the bodies are built as one</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 triangles dos à dos entre des corps qui se touchent ont été supprimés, le premier en %2 mm : les corps sont construits comme un seul</translation>
     </message>
     <message>
         <source>a bead is longer than one program of at most %1: it would be cut with the arc on, into parts that cannot be started alone</source>
-        <translation type="unfinished"></translation>
+        <translation>un cordon est plus long qu&apos;un programme d&apos;au plus %1 : il serait coupé avec l&apos;arc allumé, en parties qui ne peuvent pas démarrer seules</translation>
     </message>
     <message>
         <source>a program of at most %1 has no room for a move</source>
-        <translation type="unfinished"></translation>
+        <translation>un programme d&apos;au plus %1 n&apos;a pas la place d&apos;un mouvement</translation>
     </message>
     <message>
         <source>use a post-processor that writes for %1, where there is one; otherwise check every joint value and frame before the program runs</source>
-        <translation type="unfinished"></translation>
+        <translation>utilisez un post-processeur qui écrit pour %1, s&apos;il existe ; sinon, vérifiez chaque valeur d&apos;axe et chaque repère avant de lancer le programme</translation>
+    </message>
+    <message>
+        <source>%1 would replace %2</source>
+        <translation>%1 remplacerait %2</translation>
+    </message>
+    <message>
+        <source>a run was interrupted while its files took their places in %1</source>
+        <translation>une exécution a été interrompue pendant que ses fichiers prenaient leur place dans %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>un autre programme</translation>
+    </message>
+    <message>
+        <source>another program has changed or removed the file since it was read</source>
+        <translation>un autre programme a modifié ou supprimé le fichier depuis sa lecture</translation>
+    </message>
+    <message>
+        <source>another program has the project open (%1)</source>
+        <translation>un autre programme a le projet ouvert (%1)</translation>
+    </message>
+    <message>
+        <source>another program is changing the project (%1)</source>
+        <translation>un autre programme modifie le projet (%1)</translation>
+    </message>
+    <message>
+        <source>another run is writing to the folder</source>
+        <translation>une autre exécution écrit dans le dossier</translation>
+    </message>
+    <message>
+        <source>cannot be changed, since its lock file cannot be made: %1</source>
+        <translation>ne peut pas être modifié, car son fichier de verrou ne peut pas être créé : %1</translation>
+    </message>
+    <message>
+        <source>cannot be replaced: %1; the folder holds files of two runs</source>
+        <translation>ne peut pas être remplacé : %1 ; le dossier contient les fichiers de deux exécutions</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>choisissez un autre nom ou dossier</translation>
+    </message>
+    <message>
+        <source>close it there and try again</source>
+        <translation>fermez-le là-bas et réessayez</translation>
+    </message>
+    <message>
+        <source>export the project again when the programs are to be those of this version</source>
+        <translation>exportez à nouveau le projet si les programmes doivent être ceux de cette version</translation>
+    </message>
+    <message>
+        <source>export the project again, or check with the same --set</source>
+        <translation>exportez à nouveau le projet ou vérifiez avec les mêmes --set</translation>
+    </message>
+    <message>
+        <source>give one of them another name or folder</source>
+        <translation>donnez à l&apos;un d&apos;eux un autre nom ou dossier</translation>
+    </message>
+    <message>
+        <source>install a plugin that fits, or see `camcli plugins list`</source>
+        <translation>installez un plugin compatible ou voyez `camcli plugins list`</translation>
+    </message>
+    <message>
+        <source>is a link, and links within an output folder are not followed</source>
+        <translation>est un lien, et les liens dans un dossier de sortie ne sont pas suivis</translation>
+    </message>
+    <message>
+        <source>is a part, not a project</source>
+        <translation>est une pièce, pas un projet</translation>
+    </message>
+    <message>
+        <source>is not a regular file and is not replaced</source>
+        <translation>n&apos;est pas un fichier ordinaire et n&apos;est pas remplacé</translation>
+    </message>
+    <message>
+        <source>is not a report of this version of WCAM, which names files with their hashes</source>
+        <translation>n&apos;est pas un rapport de cette version de WCAM, qui nomme les fichiers avec leurs empreintes</translation>
+    </message>
+    <message>
+        <source>is read-only and is not replaced</source>
+        <translation>est en lecture seule et n&apos;est pas remplacé</translation>
+    </message>
+    <message>
+        <source>make a project of it: camcli new %1.wcam --part %2</source>
+        <translation>faites-en un projet : camcli new %1.wcam --part %2</translation>
+    </message>
+    <message>
+        <source>make it writable, or choose another name</source>
+        <translation>rendez-le modifiable ou choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>make it writable, or choose another output folder</source>
+        <translation>rendez-le modifiable ou choisissez un autre dossier de sortie</translation>
+    </message>
+    <message>
+        <source>make the file and its folder writable and export again</source>
+        <translation>rendez le fichier et son dossier modifiables et exportez à nouveau</translation>
+    </message>
+    <message>
+        <source>move it elsewhere when it is the program of an earlier run</source>
+        <translation>déplacez-le s&apos;il s&apos;agit du programme d&apos;une exécution précédente</translation>
+    </message>
+    <message>
+        <source>name a folder below it, or allow it with --allow-outside</source>
+        <translation>indiquez un dossier à l&apos;intérieur ou autorisez-le avec --allow-outside</translation>
+    </message>
+    <message>
+        <source>process %1 on %2</source>
+        <translation>processus %1 sur %2</translation>
+    </message>
+    <message>
+        <source>put right what the report names and export the project again</source>
+        <translation>corrigez ce que le rapport indique et exportez à nouveau le projet</translation>
+    </message>
+    <message>
+        <source>read it again, or save under another name</source>
+        <translation>relisez-le ou enregistrez sous un autre nom</translation>
+    </message>
+    <message>
+        <source>remove it, or choose another output folder</source>
+        <translation>supprimez-le ou choisissez un autre dossier de sortie</translation>
+    </message>
+    <message>
+        <source>remove the link, or choose another output folder</source>
+        <translation>supprimez le lien ou choisissez un autre dossier de sortie</translation>
+    </message>
+    <message>
+        <source>the file %1 is not of the run that the report describes</source>
+        <translation>le fichier %1 ne vient pas de l&apos;exécution que décrit le rapport</translation>
+    </message>
+    <message>
+        <source>the file %1 is not the one that the report was written with</source>
+        <translation>le fichier %1 n&apos;est pas celui avec lequel le rapport a été écrit</translation>
+    </message>
+    <message>
+        <source>the file %1 of the report is missing</source>
+        <translation>le fichier %1 du rapport manque</translation>
+    </message>
+    <message>
+        <source>the file of the %1</source>
+        <translation>le fichier de : %1</translation>
+    </message>
+    <message>
+        <source>the folder &apos;%1&apos; of output &apos;%2&apos; lies outside of the output folder</source>
+        <translation>le dossier « %1 » de la sortie « %2 » est en dehors du dossier de sortie</translation>
+    </message>
+    <message>
+        <source>the input &apos;%1&apos; is not the one that the programs were made from</source>
+        <translation>l&apos;entrée « %1 » n&apos;est pas celle dont les programmes ont été faits</translation>
+    </message>
+    <message>
+        <source>the plugin &apos;%1&apos; is not the one that made the programs</source>
+        <translation>le plugin « %1 » n&apos;est pas celui qui a fait les programmes</translation>
+    </message>
+    <message>
+        <source>the programs were made by WCAM %1, this is %2</source>
+        <translation>les programmes ont été faits par WCAM %1, ceci est %2</translation>
+    </message>
+    <message>
+        <source>the programs were made with other settings: %1</source>
+        <translation>les programmes ont été faits avec d&apos;autres réglages : %1</translation>
+    </message>
+    <message>
+        <source>the project</source>
+        <translation>le projet</translation>
+    </message>
+    <message>
+        <source>the project has changed since the programs were made</source>
+        <translation>le projet a changé depuis que les programmes ont été faits</translation>
+    </message>
+    <message>
+        <source>the report of the output folder</source>
+        <translation>le rapport du dossier de sortie</translation>
+    </message>
+    <message>
+        <source>the run gave no program for some operations or outputs, as its report says</source>
+        <translation>l&apos;exécution n&apos;a pas donné de programme pour certaines opérations ou sorties, comme le dit son rapport</translation>
+    </message>
+    <message>
+        <source>wait until it has ended, or choose another output folder</source>
+        <translation>attendez qu&apos;elle soit terminée ou choisissez un autre dossier de sortie</translation>
     </message>
 </context>
 <context>
@@ -10279,6 +10451,22 @@
         <source>Remedy: %1</source>
         <translation>Remède&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>The project file has changed</source>
+        <translation>Le fichier du projet a changé</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Read the file again, or keep what is open here and replace the file when saving?</source>
+        <translation>Un autre programme a modifié %1. Relire le fichier, ou garder ce qui est ouvert ici et remplacer le fichier à l&apos;enregistrement ?</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Relire</translation>
+    </message>
+    <message>
+        <source>Keep what is open</source>
+        <translation>Garder ce qui est ouvert</translation>
+    </message>
 </context>
 <context>
     <name>wcam::gui::MoveBar</name>
@@ -10559,10 +10747,6 @@
 </context>
 <context>
     <name>wcam::gui::Session</name>
-    <message>
-        <source>process %1 on %2</source>
-        <translation>processus %1 sur %2</translation>
-    </message>
     <message>
         <source>Bring files to the project</source>
         <translation>Amener les fichiers au projet</translation>
