@@ -7,6 +7,7 @@
 #include "wcam/cell/inverse.hpp"
 #include "wcam/cell/kinematics.hpp"
 #include "wcam/cell/unwrap.hpp"
+#include "wcam/program/wire.hpp"
 
 #include <optional>
 
@@ -249,6 +250,10 @@ Program programFromMotion(const motion::PlannedMotion& planned,
                 i + 1 < motion.waypoints.size() ? &motion.waypoints[i + 1] : nullptr);
   }
   builder.finish();
+  // What the whole program is welded with, where edits have changed it everywhere.
+  if (const WireSpeeds speeds = wireSpeeds(program); speeds.changes == 0 && speeds.greatest > 0.0) {
+    program.process.wireSpeed = speeds.greatest;
+  }
   return program;
 }
 

@@ -34,7 +34,7 @@ constexpr int kEditsVersion = 3;
 constexpr int kProcessVersion = 3;
 constexpr int kCellVersion = 3;
 constexpr int kMotionVersion = 5;
-constexpr int kProgramVersion = 2;
+constexpr int kProgramVersion = 3;
 constexpr int kRemediesVersion = 1;
 
 std::string placementText(const Placement& placement) {

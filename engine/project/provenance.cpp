@@ -7,8 +7,8 @@
 #include "wcam/base/json.hpp"
 #include "wcam/base/sha256.hpp"
 #include "wcam/base/text.hpp"
-#include "wcam/project/project_file.hpp"
 #include "wcam/base/version.h"
+#include "wcam/project/project_file.hpp"
 
 #include <algorithm>
 #include <set>

@@ -138,7 +138,10 @@ int runApplication(int argc, char** argv, const std::function<void(MainWindow&)>
     const QStringList files = parser.positionalArguments();
     const bool leave = parser.isSet(exitOption);
     afterStartup(window, [&window, files, leave] {
-      if (files.isEmpty() && !leave) {
+      // A part goes into a project without a name, which would take the place of the lost one.
+      const bool untitled =
+          files.isEmpty() || !files.front().endsWith(".wcam", Qt::CaseInsensitive);
+      if (untitled && !leave) {
         window.offerUntitledWork();
       }
       const bool opened = files.isEmpty() || window.openFile(pathFromText(utf8(files.front())));

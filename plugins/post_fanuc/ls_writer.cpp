@@ -380,6 +380,10 @@ private:
     for (std::size_t i = 0; i < axes.size(); ++i) {
       const double value = target.joints[axes[i]];
       state_.turns[i] = onTurnBorder(value) ? state_.turns[i] : turnOf(value);
+      if (std::abs(state_.turns[i]) > std::abs(state_.farthestTurn)) {
+        state_.farthestTurn = state_.turns[i];
+        state_.farthestTurnAxis = axes[i];
+      }
       positions_.text(", ").integer(state_.turns[i]);
     }
     positions_.text("',\n");

@@ -19,7 +19,9 @@ namespace fanuc {
 struct ModalState {
   std::string configuration;
   int job = 0;
-  std::array<int, 3> turns{};    ///< of the target before
+  std::array<int, 3> turns{};  ///< of the target before
+  int farthestTurn = 0;        ///< of any position, and its axis from 0
+  int farthestTurnAxis = 0;
   double worstSpeedError = 0.0;  ///< greatest relative error of a printed speed
 };
 

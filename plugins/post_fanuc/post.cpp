@@ -63,6 +63,21 @@ void tell(const Program& program,
         "with one wire speed: ramps and edits that keep it, wire_follows_speed off",
         context);
   }
+  // The turn numbers of a configuration are -8 to 7.
+  constexpr int kLeastTurn = -8;
+  constexpr int kMostTurn = 7;
+  if (state.farthestTurn < kLeastTurn || state.farthestTurn > kMostTurn) {
+    context.add({Severity::Violation,
+                 "post.turn_out_of_range",
+                 wcam::text("axis J%1 is %2 turns from its zero; the turn numbers of a position go "
+                            "from -8 to 7",
+                            {std::to_string(state.farthestTurnAxis + 1),
+                             std::to_string(state.farthestTurn)}),
+                 "split the operation so that the axis turns back between its parts, or let beads "
+                 "change their direction (alternate)",
+                 {program.name},
+                 {{"turn", static_cast<double>(state.farthestTurn)}}});
+  }
   if (state.worstSpeedError > kSpeedErrorWorthTelling) {
     constexpr double kPercent = 100.0;
     context.add({Severity::Warning,

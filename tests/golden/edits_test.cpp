@@ -120,6 +120,14 @@ TEST(EditsOfProjects, SurviveARegeneration) {
   }
 }
 
+TEST(EditsOfProjects, OneWireSpeedForAllIsThatOfTheProgram) {
+  const Document plain = test::exampleDocument("elbow");
+  const double before = compute(plain).program->process.wireSpeed;
+  const OperationResult result =
+      compute(edited(plain, "planar", "more", "set_wire", R"({"factor": 1.25})"));
+  EXPECT_NEAR(result.program->process.wireSpeed, 1.25 * before, 1e-9);
+}
+
 TEST(EditsOfProjects, WhatFindsNothingIsTold) {
   const Document document = edited(test::exampleDocument("elbow"), "planar", "high", "set_speed",
                                    R"({"first_layer": 500, "last_layer": 501, "factor": 0.5})");

@@ -33,6 +33,25 @@ std::string firstLineWith(const std::string& text, const std::string& part) {
 
 }  // namespace
 
+TEST(Fanuc, KeepsBackTurnsThatAPositionCannotHold) {
+  auto program = wcam::testing::sampleProgram();
+  const auto violations = [&](double degrees, const std::string& params) {
+    for (auto& instruction : program.instructions) {
+      if (auto* move = std::get_if<program::MoveLinear>(&instruction.action)) {
+        move->target.joints[5] = degToRad(degrees);
+      }
+    }
+    const JobContext context;
+    runPost("wcam.post.fanuc", program, params, context);
+    return context.diagnostics().count("post.turn_out_of_range");
+  };
+  EXPECT_EQ(violations(7 * 360.0, R"({"mode": "cartesian"})"), 0U);
+  EXPECT_EQ(violations(-8 * 360.0, R"({"mode": "cartesian"})"), 0U);
+  EXPECT_EQ(violations(8 * 360.0, R"({"mode": "cartesian"})"), 1U);
+  EXPECT_EQ(violations(-9 * 360.0, R"({"mode": "cartesian"})"), 1U);
+  EXPECT_EQ(violations(-9 * 360.0, R"({"mode": "joint"})"), 0U);
+}
+
 TEST(Fanuc, JointModeReturnsTheJoints) {
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   const auto program = randomProgram(kSeed, 20, 200);
