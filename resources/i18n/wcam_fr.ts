@@ -9034,6 +9034,14 @@
         <source>wait until it has ended, or choose another output folder</source>
         <translation>attendez qu&apos;elle soit terminée ou choisissez un autre dossier de sortie</translation>
     </message>
+    <message>
+        <source>axis J%1 is %2 turns from its zero; the turn numbers of a position go from -8 to 7</source>
+        <translation>l&apos;axe J%1 est à %2 tours de son zéro ; les numéros de tour d&apos;une position vont de -8 à 7</translation>
+    </message>
+    <message>
+        <source>split the operation so that the axis turns back between its parts, or let beads change their direction (alternate)</source>
+        <translation>partagez l&apos;opération pour que l&apos;axe se déroule entre ses parties, ou faites alterner le sens des cordons (alternate)</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
