@@ -64,13 +64,13 @@ TEST_F(Limits, TwoEqualPartsInOnePlaceAreRefused) {
 
 TEST_F(Limits, GuidesWithPolesAreRefusedWithTheirPlace) {
   const fs::path project = with("guide-constant", [](Value& tree) {
-    tree.set("guides", parseJson(R"([{"id": "axis", "type": "formula", "x": "0", "y": "0",
-                                      "z": "1/(t-5)", "begin": 0, "end": 12}])"));
+    tree.set("guides", parseJson(R"json([{"id": "axis", "type": "formula", "x": "0", "y": "0",
+                                      "z": "1/(t-5)", "begin": 0, "end": 12}])json"));
     Value& operation = first(tree, "operations");
-  operation.set("guide", "axis").set("params", parseJson(R"({"step": 4})"));
-});
-EXPECT_THAT(refusedRun(project, 3),
-            AllOf(HasSubstr("guide 'axis'"), HasSubstr("leaves its range at t = 5.0")));
+    operation.set("guide", "axis").set("params", parseJson(R"({"step": 4})"));
+  });
+  EXPECT_THAT(refusedRun(project, 3),
+              AllOf(HasSubstr("guide 'axis'"), HasSubstr("leaves its range at t = 5.0")));
 }
 
 TEST_F(Limits, PlotsOfARangeOfOneUnitInTheLastPlaceEnd) {

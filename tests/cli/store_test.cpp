@@ -3,8 +3,8 @@
 
 // Nothing that is read is overwritten, nothing that was written is lost, no two runs are mixed.
 #include "wcam/base/sha256.hpp"
+#include "wcam/base/version.h"
 #include "wcam/project/project_lock.hpp"
-#include "wcam/version.h"
 
 #include "camcli.hpp"
 #include <fcntl.h>

@@ -131,7 +131,9 @@ program::Program randomProgram(unsigned seed, int beads, int pointsPerBead) {
       shuffle(linear->target);
       linear->speed = speed(random);
     } else if (auto* circular = std::get_if<program::MoveCircular>(&instruction.action)) {
-      shuffle(circular->via);
+      program::Target via = circular->via;
+      shuffle(via);
+      circular->via = via;
       shuffle(circular->target);
     }
   }
