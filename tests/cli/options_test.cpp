@@ -94,8 +94,10 @@ TEST_F(Options, PostOfAnotherMakeIsWarned) {
   const ProcessResult result = camcli(
       {"--project", elbow_, "--output", "a", "--operation", "guide", "--post", "wcam.post.kuka"});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.err, HasSubstr("warning post.other_controller [guide]: the controller of the "
-                                    "cell is FANUC, the program is written for KUKA"));
+  EXPECT_THAT(result.err,
+              HasSubstr("warning post.other_controller [guide]: output 'wcam.post.kuka': the "
+                        "controller of the "
+                        "cell is FANUC, the program is written for KUKA"));
   EXPECT_TRUE(fs::exists(folder_ / "a/GUIDE.src"));
 }
 
