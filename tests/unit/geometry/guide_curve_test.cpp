@@ -120,7 +120,7 @@ TEST(GuideCurve, ListsAndAssignmentsAreNoFormulas) {
   EXPECT_TRUE(holds(refusal("t = t + 1"), "an assignment"));
   EXPECT_TRUE(holds(refusal("t += 1"), "assignment"));
   EXPECT_EQ(refusal("max(t, 0.5)"), "taken");
-  EXPECT_EQ(refusal("t >= 0.5 ? 1 : t <= 0.2 ? 2 : t == 0.3 ? 3 : t != 0.4"), "taken");
+  EXPECT_EQ(refusal("t >= 0.5 ? t : t <= 0.2 ? t : t == 0.3 ? t : t != 0.4 ? t : 0.4"), "taken");
 }
 
 TEST(GuideCurve, ThreadsShareAFormula) {

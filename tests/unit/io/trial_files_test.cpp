@@ -102,7 +102,7 @@ TEST(TrialFiles, WhatIsLeftOutIsTold) {
   const Diagnostic* lattice = beams.finding("import.beam_lattice_left_out");
   ASSERT_NE(lattice, nullptr);
   EXPECT_EQ(lattice->severity, Severity::Warning);
-  EXPECT_THAT(lattice->message.str(), HasSubstr("1 beam lattices with 1 beams"));
+  EXPECT_THAT(lattice->message.str(), HasSubstr("1 beam lattice is left out (beams: 1)"));
   const Read items = readTrial("3mf_not_printable.3mf");
   ASSERT_NE(items.finding("import.not_printable"), nullptr);
   EXPECT_EQ(items.part.report.bodies.size(), 1U);

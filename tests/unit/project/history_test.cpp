@@ -227,17 +227,17 @@ TEST(SessionLog, ErrorsNameTheLine) {
   };
   failure(ErrorCode::InputInvalid, "{");
   failure(ErrorCode::InputInvalid, "plain text");
-  failure(ErrorCode::InvalidArgument, "[]");
-  failure(ErrorCode::InvalidArgument, R"({"command": "part.fly"})");
-  failure(ErrorCode::InvalidArgument, R"({"command": "redo"})");
-  failure(ErrorCode::InvalidArgument, R"({"transaction": 3, "commands": []})");
-  failure(ErrorCode::InvalidArgument, R"({"transaction": "t"})");
-  failure(ErrorCode::InvalidArgument, R"({"command": "cell.remove", "merged": 1})");
+  failure(ErrorCode::InputInvalid, "[]");
+  failure(ErrorCode::InputInvalid, R"({"command": "part.fly"})");
+  failure(ErrorCode::InputInvalid, R"({"command": "redo"})");
+  failure(ErrorCode::InputInvalid, R"({"transaction": 3, "commands": []})");
+  failure(ErrorCode::InputInvalid, R"({"transaction": "t"})");
+  failure(ErrorCode::InputInvalid, R"({"command": "cell.remove", "merged": 1})");
   EXPECT_THAT(
-      failure(ErrorCode::InvalidArgument, R"({"command": "part.remove", "args": {"id": "elbow"}})"),
+      failure(ErrorCode::InputInvalid, R"({"command": "part.remove", "args": {"id": "elbow"}})"),
       AllOf(HasSubstr("part.remove"), HasSubstr("is used by")));
   failure(
-      ErrorCode::InvalidArgument,
+      ErrorCode::InputInvalid,
       R"({"transaction": "t", "commands": [{"command": "cell.remove"}, {"command": "part.fly"}]})");
 }
 
