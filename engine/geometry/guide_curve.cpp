@@ -159,9 +159,20 @@ public:
     // Sixth-order differences: the step balances truncation (h^6) against rounding (eps/h, eps/h²).
     constexpr double kStepOfRange = 2e-3;
     const double h = (end_ - begin_) * kStepOfRange;
-    const Vec3 p = value(t);
-    const Vec3 a1 = value(t + h), b1 = value(t - h), a2 = value(t + 2 * h), b2 = value(t - 2 * h),
-               a3 = value(t + 3 * h), b3 = value(t - 3 * h);
+    CurvePoint c = differences(t, h);
+    if (!c.d1.allFinite() || !c.d2.allFinite()) {
+      // The formula ends at the end of the range: the nearest place with all neighbours inside.
+      c = differences(std::clamp(t, begin_ + 3 * h, end_ - 3 * h), h);
+    }
+    c.p = value(t);
+    return c;
+  }
+
+private:
+  [[nodiscard]] CurvePoint differences(double t, double h) const {
+    const Vec3 p = raw(t);
+    const Vec3 a1 = raw(t + h), b1 = raw(t - h), a2 = raw(t + 2 * h), b2 = raw(t - 2 * h),
+               a3 = raw(t + 3 * h), b3 = raw(t - 3 * h);
     CurvePoint c;
     c.p = p;
     c.d1 = (45.0 * (a1 - b1) - 9.0 * (a2 - b2) + (a3 - b3)) / (60.0 * h);
@@ -169,7 +180,10 @@ public:
     return c;
   }
 
-private:
+  [[nodiscard]] Vec3 raw(double t) const {
+    return {formulas_[0](t), formulas_[1](t), formulas_[2](t)};
+  }
+
   /// Follows the larger half of a stretch down to rounding: there a smooth curve has all but
   /// stopped, a jump is as large as ever, and a pole has left the range.
   void requireUnbroken(double low, Vec3 atLow, double high, Vec3 atHigh) const {
@@ -192,7 +206,7 @@ private:
   }
 
   [[nodiscard]] Vec3 value(double t) const {
-    const Vec3 p(formulas_[0](t), formulas_[1](t), formulas_[2](t));
+    const Vec3 p = raw(t);
     for (const double x : p) {
       if (const Text wrong = implausible(x, QuantityKind::Length); !wrong.empty()) {
         throw Error(ErrorCode::InvalidArgument,

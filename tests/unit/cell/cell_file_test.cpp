@@ -183,7 +183,7 @@ TEST(CellFile, allProblemsOfLinearJointsSumsAndConventions) {
        {"robot.joints[0].type: is neither revolute nor prismatic, but 'sliding'",
         "robot.joints[1].endless: a prismatic joint ends somewhere",
         "robot.joints[2].limits: the minimum must be below the maximum",
-        "robot.joints[3].limits: expected [min, max] in degrees",
+        "robot.joints[3].limits: expected [min, max] in deg",
         "robot.joints[4].max_acceleration: must be greater than 0",
         "robot.joints[5].backlash: expected a number",
         "robot.zero_conventions.other: expected a list of 6 offsets",
