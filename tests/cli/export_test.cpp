@@ -6,9 +6,9 @@
 #include "camcli.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
-#include <regex>
 #include <set>
 
 namespace wcam::testing {
@@ -275,7 +275,11 @@ TEST_P(Examples, ExportWithoutError) {
   for (const auto& [path, content] : files) {
     EXPECT_FALSE(content.empty()) << path;
     EXPECT_NE(result.err.find(path), std::string::npos) << path << " is not told";
-    EXPECT_EQ(content.find("nan"), std::string::npos) << path;
+    // As a word of its own: "provenance" has the letters too.
+    for (std::size_t at = content.find("nan"); at != std::string::npos;
+         at = content.find("nan", at + 1)) {
+      EXPECT_TRUE(at > 0 && std::isalpha(static_cast<unsigned char>(content[at - 1])) != 0) << path;
+    }
   }
 }
 
