@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wcam/geometry/half_edges.hpp"
 
 #include "fuzz_mesh.hpp"
 #include "mesh_repair.hpp"
