@@ -6,6 +6,7 @@
 #include "wcam/base/budget.hpp"
 #include "wcam/base/error.hpp"
 
+#include "descriptor.hpp"
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,30 +18,6 @@
 namespace wcam {
 
 namespace {
-
-std::string causeOf(int error) {
-  return std::generic_category().message(error);
-}
-
-/// Closes on scope exit.
-class Descriptor {
-public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-
-  ~Descriptor() {
-    if (fd_ >= 0) {
-      ::close(fd_);
-    }
-  }
-
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  [[nodiscard]] int get() const { return fd_; }
-
-private:
-  int fd_;
-};
 
 [[noreturn]] void cannotWrite(const std::filesystem::path& file, int error) {
   const Text hint = text(error == ENOSPC   ? "free some space on the disk and try again"
@@ -136,15 +113,7 @@ void writeFileAtomically(const std::filesystem::path& named, std::string_view co
     const mode_t mask = ::umask(0);
     ::umask(mask);
     ::fchmod(fd.get(), ::stat(file.c_str(), &old) == 0 ? (old.st_mode & 07777) : (0666 & ~mask));
-    std::size_t done = 0;
-    while (done < content.size()) {
-      const ssize_t put = ::write(fd.get(), content.data() + done, content.size() - done);
-      if (put < 0 && errno != EINTR) {
-        error = errno;
-        break;
-      }
-      done += put > 0 ? static_cast<std::size_t>(put) : 0;
-    }
+    error = writeAll(fd.get(), content);
     if (error == 0 && ::fsync(fd.get()) != 0) {
       error = errno;
     }

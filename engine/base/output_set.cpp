@@ -6,6 +6,7 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/file_io.hpp"
 
+#include "descriptor.hpp"
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -27,10 +28,6 @@ namespace {
 
 constexpr const char* kStaged = ".wcam-new";     ///< being written
 constexpr const char* kDecided = ".wcam-ready";  ///< complete, on its way to the places
-
-std::string causeOf(int error) {
-  return std::generic_category().message(error);
-}
 
 [[noreturn]] void refuse(const Text& message, const fs::path& file, const Text& hint) {
   throw Error(ErrorCode::OutputConflict, message, pathText(file), hint);
@@ -69,39 +66,14 @@ void flushFolder(const fs::path& folder) {
   }
 }
 
-void writeAll(int fd, std::string_view content, const fs::path& named) {
-  std::size_t done = 0;
-  while (done < content.size()) {
-    const ssize_t put = ::write(fd, content.data() + done, content.size() - done);
-    if (put < 0 && errno == EINTR) {
-      continue;
-    }
-    if (put < 0) {
-      const int error = errno;
-      refuse(text("cannot be written: %1", {causeOf(error)}), named,
-             error == ENOSPC || error == EFBIG || error == EDQUOT
-                 ? text("free some space on the disk and try again")
-                 : text("choose another place"));
-    }
-    done += static_cast<std::size_t>(put);
+void writeOrRefuse(int fd, std::string_view content, const fs::path& named) {
+  if (const int error = writeAll(fd, content); error != 0) {
+    refuse(text("cannot be written: %1", {causeOf(error)}), named,
+           error == ENOSPC || error == EFBIG || error == EDQUOT
+               ? text("free some space on the disk and try again")
+               : text("choose another place"));
   }
 }
-
-/// Closes on scope exit.
-struct OpenFile {
-  int fd = -1;
-
-  explicit OpenFile(int opened) : fd(opened) {}
-
-  ~OpenFile() {
-    if (fd >= 0) {
-      ::close(fd);
-    }
-  }
-
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-};
 
 /// Refuses what must not be replaced, and links on the way.
 void checkPlace(const fs::path& folder, const fs::path& relative) {
@@ -241,12 +213,12 @@ void writeResult(const fs::path& file, std::string_view content) {
     writeFileAtomically(file, content);
     return;
   }
-  const OpenFile out(::open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
-  if (out.fd < 0) {
+  const Descriptor out(::open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  if (out.get() < 0) {
     const int cause = errno;
     refuse(text("cannot be written: %1", {causeOf(cause)}), file, "choose another place");
   }
-  writeAll(out.fd, content, file);
+  writeOrRefuse(out.get(), content, file);
 }
 
 OutputSet::OutputSet(fs::path folder)
@@ -274,9 +246,9 @@ void OutputSet::stage(const File& file) const {
   const fs::path target = folder_ / pathFromText(file.path);
   const fs::path staged = folder_ / kStaged / pathFromText(file.path);
   createFolder(staged.parent_path());
-  const OpenFile out(
+  const Descriptor out(
       ::open(staged.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-  if (out.fd < 0) {
+  if (out.get() < 0) {
     const int cause = errno;
     refuse(text("cannot be written: %1", {causeOf(cause)}), target, "choose another place");
   }
@@ -284,10 +256,10 @@ void OutputSet::stage(const File& file) const {
   struct stat old {};
 
   if (::stat(target.c_str(), &old) == 0) {
-    ::fchmod(out.fd, old.st_mode & 07777);
+    ::fchmod(out.get(), old.st_mode & 07777);
   }
-  writeAll(out.fd, file.content, target);
-  if (::fsync(out.fd) != 0) {
+  writeOrRefuse(out.get(), file.content, target);
+  if (::fsync(out.get()) != 0) {
     const int cause = errno;
     refuse(text("cannot be written: %1", {causeOf(cause)}), target,
            "free some space on the disk and try again");

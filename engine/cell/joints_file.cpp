@@ -124,7 +124,8 @@ Joint readJoint(Reader& reader,
   const std::string unit = fileUnit(lengthOrAngle(joint));
   const auto notBeyond = [&](const char* key, double most, const std::string& perTime) {
     const Value* given = value.find(key);
-    if (given != nullptr && given->isNumber()) {
+    // What is not above 0 is reported already.
+    if (given != nullptr && given->isNumber() && given->asReal() > 0.0) {
       const Text wrong = outOfRange(given->asReal(), {0.0, most}, unit + perTime);
       if (!wrong.empty()) {
         reader.problem(joinPath(path, key), wrong);
