@@ -15,7 +15,9 @@
 #include "wcam/toolpath/edit_findings.hpp"
 #include "wcam/toolpath/part_coverage.hpp"
 
+#include "part_wall.hpp"
 #include "remedies.hpp"
+#include "stage_size.hpp"
 
 #include <algorithm>
 #include <map>
@@ -84,64 +86,6 @@ void collect(std::vector<Diagnostic>& findings,
   }
 }
 
-/// Replaces the surface of a part by one side of its solid wall, and tells the wall's thickness.
-void takeSide(io::ImportedPart& part,
-              geometry::WallSide side,
-              const std::string& id,
-              const JobContext& context) {
-  geometry::SolidWall wall = [&] {
-    try {
-      return geometry::solidWall(*part.surface, side, context);
-    } catch (const Error& error) {
-      rethrowIn(error, text("part '%1'", {id}));
-    }
-  }();
-  part.surface = std::make_shared<const geometry::PartSurface>(std::move(wall.surface));
-  part.wallThickness = std::move(wall.thickness);
-  const geometry::WallThickness& thickness = *part.wallThickness;
-  context.add({Severity::Information,
-               "part.wall_thickness",
-               text("the wall of part '%1' is %2 to %3 mm thick, %4 mm in the mean",
-                    {id, formatFixed(thickness.min, 2), formatFixed(thickness.max, 2),
-                     formatFixed(thickness.mean, 2)}),
-               "",
-               {},
-               {{"min_mm", thickness.min},
-                {"mean_mm", thickness.mean},
-                {"max_mm", thickness.max},
-                {"thinnest_x_mm", thickness.thinnest.x()},
-                {"thinnest_y_mm", thickness.thinnest.y()},
-                {"thinnest_z_mm", thickness.thinnest.z()},
-                {"thickest_x_mm", thickness.thickest.x()},
-                {"thickest_y_mm", thickness.thickest.y()},
-                {"thickest_z_mm", thickness.thickest.z()}}});
-}
-
-/// A bead that is much wider or narrower than the wall gives another part.
-constexpr double kBeadFitsWall = 0.25;
-
-std::vector<Diagnostic> compareWithBead(const io::ImportedPart& part,
-                                        const std::string& id,
-                                        double beadWidth) {
-  if (!part.wallThickness) {
-    return {};
-  }
-  const geometry::WallThickness& wall = *part.wallThickness;
-  if (wall.min >= (1.0 - kBeadFitsWall) * beadWidth &&
-      wall.max <= (1.0 + kBeadFitsWall) * beadWidth) {
-    return {};
-  }
-  return {
-      {Severity::Warning,
-       "part.bead_does_not_fit_wall",
-       text("the wall of part '%1' is %2 to %3 mm thick, the bead %4 mm wide",
-            {id, formatFixed(wall.min, 2), formatFixed(wall.max, 2), formatFixed(beadWidth, 2)}),
-       "choose a process with a bead as wide as the wall, or lay several beads beside each "
-       "other",
-       {},
-       {{"min_mm", wall.min}, {"max_mm", wall.max}, {"bead_width_mm", beadWidth}}}};
-}
-
 std::vector<toolpath::Edit> enabledEdits(const Operation& operation) {
   std::vector<toolpath::Edit> edits;
   for (const OperationEdit& edit : operation.edits) {
@@ -150,52 +94,6 @@ std::vector<toolpath::Edit> enabledEdits(const Operation& operation) {
     }
   }
   return edits;
-}
-
-void checkParams(const ParamSchema& schema,
-                 const Value& params,
-                 const std::string& path,
-                 std::vector<ParamProblem>& problems) {
-  for (ParamProblem& problem : schema.validate(params, path)) {
-    problems.push_back(std::move(problem));
-  }
-}
-
-}  // namespace
-
-namespace {
-
-// What grows with the number of points, as far as a cache must know.
-
-template <class T>
-std::size_t bytesOf(const T& /*value*/) {
-  return 0;
-}
-
-std::size_t pointsOf(const toolpath::SlicedLayers& sliced) {
-  std::size_t points = 0;
-  for (const toolpath::SlicedLayer& layer : sliced.layers) {
-    for (const toolpath::Contour& contour : layer.contours) {
-      points += contour.points.size();
-    }
-  }
-  return points;
-}
-
-std::size_t bytesOf(const toolpath::SlicedLayers& sliced) {
-  return pointsOf(sliced) * sizeof(toolpath::ContourPoint);
-}
-
-std::size_t bytesOf(const toolpath::Toolpath& path) {
-  return path.pointCount() * sizeof(toolpath::PathPoint);
-}
-
-std::size_t bytesOf(const motion::CheckedMotion& checked) {
-  return checked.planned.motion.waypoints.size() * sizeof(motion::Waypoint) + bytesOf(checked.path);
-}
-
-std::size_t bytesOf(const program::Program& program) {
-  return program.instructions.size() * sizeof(program::Instruction);
 }
 
 }  // namespace
@@ -259,134 +157,6 @@ Staged<T> Pipeline::stage(const std::string& name,
                         [](const T& value) { return bytesOf(value); });
 }
 
-/// Components that no plugin provides. They stop what needs them, and a project only when nothing
-/// else is left.
-class Pipeline::MissingComponents {
-public:
-  /// @return nothing when the component is missing
-  template <class Find>
-  auto unless(const Find& find) -> decltype(find()) {
-    try {
-      return find();
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::PluginMissing && error.code() != ErrorCode::PluginRefused) {
-        throw;
-      }
-      errors_.push_back(error);
-      return nullptr;
-    }
-  }
-
-  void throwIfAll(std::size_t all) const {
-    if (all > 0 && errors_.size() == all) {
-      throw Error(errors_.front());
-    }
-  }
-
-  void addTo(std::vector<ParamProblem>& problems) const {
-    for (const Error& error : errors_) {
-      problems.push_back({{}, error.whatText()});
-    }
-  }
-
-private:
-  std::vector<Error> errors_;
-};
-
-std::vector<ParamProblem> Pipeline::problems(MissingComponents& strategies,
-                                             MissingComponents& posts) const {
-  const Project& project = document_.project();
-  std::vector<ParamProblem> problems;
-  for (std::size_t i = 0; i < project.parts.size(); ++i) {
-    checkParams(io::importOptionsSchema().params(), project.parts[i].import,
-                "parts[" + std::to_string(i) + "].import", problems);
-  }
-  for (std::size_t i = 0; i < project.processes.size(); ++i) {
-    checkParams(process::ProcessParams::schema().params(), project.processes[i].params,
-                "processes[" + std::to_string(i) + "].params", problems);
-  }
-  for (std::size_t i = 0; i < project.operations.size(); ++i) {
-    const Operation& operation = project.operations[i];
-    const std::string path = "operations[" + std::to_string(i) + "]";
-    const auto strategy =
-        strategies.unless([&] { return plugins_->findSlicing(operation.strategy); });
-    checkParams(toolpath::PathParams::schema().params(), operation.path, path + ".path", problems);
-    checkParams(motion::MotionParams::schema().params(), operation.motion, path + ".motion",
-                problems);
-    for (std::size_t k = 0; k < operation.edits.size(); ++k) {
-      const OperationEdit& edit = operation.edits[k];
-      const std::string place = path + ".edits[" + std::to_string(k) + "].params";
-      for (ParamProblem& problem : toolpath::validateEdit(edit.type, edit.params, place)) {
-        problems.push_back(std::move(problem));
-      }
-    }
-    if (strategy == nullptr) {
-      continue;
-    }
-    checkParams(strategy->info.params, operation.params, path + ".params", problems);
-    if (strategy->info.needsFile && operation.file.empty()) {
-      problems.push_back(
-          {path + ".file", text("the strategy %1 needs a file with a path", {operation.strategy})});
-    }
-    if (!strategy->info.needsFile && operation.parts.empty()) {
-      problems.push_back(
-          {path + ".parts", text("the strategy %1 needs a part", {operation.strategy})});
-    }
-    const std::string& automatic = strategy->info.automaticGuide;
-    const bool ownGuide =
-        !automatic.empty() && operation.params.isObject() && operation.params.contains(automatic) &&
-        operation.params.at(automatic).isBool() && operation.params.at(automatic).asBool();
-    if (strategy->info.needsGuide && operation.guide.empty() && !ownGuide) {
-      problems.push_back(
-          {path + ".guide", automatic.empty()
-                                ? text("the strategy %1 needs a guide curve", {operation.strategy})
-                                : text("the strategy %1 needs a guide curve, or set %2",
-                                       {operation.strategy, automatic})});
-    }
-  }
-  for (std::size_t i = 0; i < project.outputs.size(); ++i) {
-    const auto post = posts.unless([&] { return plugins_->findPost(project.outputs[i].post); });
-    if (post != nullptr) {
-      checkParams(post->info.params, project.outputs[i].params,
-                  "outputs[" + std::to_string(i) + "].params", problems);
-    }
-  }
-  return problems;
-}
-
-std::vector<ParamProblem> Pipeline::problems() const {
-  MissingComponents strategies;
-  MissingComponents posts;
-  std::vector<ParamProblem> found = problems(strategies, posts);
-  strategies.addTo(found);
-  posts.addTo(found);
-  return found;
-}
-
-std::vector<Diagnostic> Pipeline::validate() const {
-  MissingComponents strategies;
-  MissingComponents posts;
-  std::vector<ParamProblem> problems = this->problems(strategies, posts);
-  strategies.throwIfAll(document_.project().operations.size());
-  posts.throwIfAll(document_.project().outputs.size());
-  std::vector<Diagnostic> findings;
-  for (const ParamProblem& problem : problems) {
-    if (problem.unknown) {
-      findings.push_back({Severity::Warning,
-                          "project.unknown_parameter",
-                          text("%1: %2", {problem.path, problem.message}),
-                          "it is kept in the file and has no effect",
-                          {},
-                          {}});
-    }
-  }
-  std::erase_if(problems, [](const ParamProblem& p) { return p.unknown; });
-  throwProblems(problems, ErrorCode::ProjectInvalid, pathText(project_));
-  const std::vector<Diagnostic> files = checkFiles(document_, project_);
-  findings.insert(findings.end(), files.begin(), files.end());
-  return findings;
-}
-
 Staged<io::ImportedPart> Pipeline::stagePart(const std::string& id,
                                              const JobContext& context) const {
   const Part& part = *document_.project().part(id);
@@ -409,7 +179,11 @@ Staged<io::ImportedPart> Pipeline::stagePart(const std::string& id,
           geometry::selectFaces(*imported.surface, part.faces));
     }
     if (part.wallSide) {
-      takeSide(imported, *part.wallSide, id, own);
+      try {
+        takeSide(imported, *part.wallSide, id, own);
+      } catch (const Error& error) {
+        rethrowIn(error, text("part '%1'", {id}));
+      }
     }
     return imported;
   });
@@ -502,8 +276,8 @@ process::ProcessParams Pipeline::processOf(const Operation& operation, Value& co
       throw Error(ErrorCode::ProjectInvalid, "the file holds no process parameters", pathText(file),
                   "write them as {\"params\": {...}}; `camcli schema process` lists them");
     }
-    std::vector<ParamProblem> problems;
-    checkParams(process::ProcessParams::schema().params(), params, "params", problems);
+    std::vector<ParamProblem> problems =
+        process::ProcessParams::schema().params().validate(params, "params");
     std::erase_if(problems, [](const ParamProblem& p) { return p.unknown; });
     throwProblems(problems, ErrorCode::ProjectInvalid, pathText(file));
   }

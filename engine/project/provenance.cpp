@@ -41,16 +41,14 @@ Value pluginValue(const plugin::PluginReport& report) {
   return value;
 }
 
-/// The plugins of the components that a run uses, by their id.
-Value pluginsOf(const plugin::PluginHost& plugins, const std::set<std::string>& components) {
+/// The plugins that serve and are wanted, by their id.
+template <class Wanted>
+Value pluginsOf(const plugin::PluginHost& plugins, const Wanted& wanted) {
   std::vector<plugin::PluginReport> used;
   for (plugin::PluginReport& report : plugins.reports()) {
     const bool serves = report.verdict == plugin::PluginVerdict::Available ||
                         report.verdict == plugin::PluginVerdict::Loaded;
-    const bool needed = std::any_of(
-        report.components.begin(), report.components.end(),
-        [&](const plugin::ComponentEntry& entry) { return components.count(entry.id) != 0; });
-    if (serves && needed) {
+    if (serves && wanted(report)) {
       used.push_back(std::move(report));
     }
   }
@@ -223,7 +221,14 @@ Value provenance(const Pipeline& pipeline,
   Value origin = Value::object({{"wcam", WCAM_VERSION}});
   return origin.set("project", project)
       .set("inputs", inputsOf(pipeline))
-      .set("plugins", pluginsOf(pipeline.plugins(), components))
+      .set("plugins", pluginsOf(pipeline.plugins(),
+                                [&components](const plugin::PluginReport& report) {
+                                  return std::any_of(report.components.begin(),
+                                                     report.components.end(),
+                                                     [&](const plugin::ComponentEntry& entry) {
+                                                       return components.count(entry.id) != 0;
+                                                     });
+                                }))
       .set("settings", settings);
 }
 
@@ -243,15 +248,10 @@ std::vector<Diagnostic> checkOutputs(const fs::path& folder,
         used.insert(entry.at("id").asString());
       }
       Value now = provenance(*pipeline, request, {}, {});
-      Value plugins = Value::array();
-      for (const plugin::PluginReport& candidate : pipeline->plugins().reports()) {
-        const bool serves = candidate.verdict == plugin::PluginVerdict::Available ||
-                            candidate.verdict == plugin::PluginVerdict::Loaded;
-        if (serves && used.count(candidate.id) != 0) {
-          plugins.push(pluginValue(candidate));
-        }
-      }
-      now.set("plugins", plugins);
+      now.set("plugins",
+              pluginsOf(pipeline->plugins(), [&used](const plugin::PluginReport& report) {
+                return used.count(report.id) != 0;
+              }));
       check.origin(made, now);
     }
   } catch (const Error& error) {

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The WCAM developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong with a project, without computing anything.
+
+#include "wcam/base/file_io.hpp"
+#include "wcam/base/text.hpp"
+#include "wcam/project/pipeline.hpp"
+#include "wcam/project/project_file.hpp"
+
+#include <utility>
+
+namespace wcam::project {
+
+namespace {
+
+void checkParams(const ParamSchema& schema,
+                 const Value& params,
+                 const std::string& path,
+                 std::vector<ParamProblem>& problems) {
+  for (ParamProblem& problem : schema.validate(params, path)) {
+    problems.push_back(std::move(problem));
+  }
+}
+
+}  // namespace
+
+/// Components that no plugin provides. They stop what needs them, and a project only when nothing
+/// else is left.
+class Pipeline::MissingComponents {
+public:
+  /// @return nothing when the component is missing
+  template <class Find>
+  auto unless(const Find& find) -> decltype(find()) {
+    try {
+      return find();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::PluginMissing && error.code() != ErrorCode::PluginRefused) {
+        throw;
+      }
+      errors_.push_back(error);
+      return nullptr;
+    }
+  }
+
+  void throwIfAll(std::size_t all) const {
+    if (all > 0 && errors_.size() == all) {
+      throw Error(errors_.front());
+    }
+  }
+
+  void addTo(std::vector<ParamProblem>& problems) const {
+    for (const Error& error : errors_) {
+      problems.push_back({{}, error.whatText()});
+    }
+  }
+
+private:
+  std::vector<Error> errors_;
+};
+
+std::vector<ParamProblem> Pipeline::problems(MissingComponents& strategies,
+                                             MissingComponents& posts) const {
+  const Project& project = document_.project();
+  std::vector<ParamProblem> problems;
+  for (std::size_t i = 0; i < project.parts.size(); ++i) {
+    checkParams(io::importOptionsSchema().params(), project.parts[i].import,
+                "parts[" + std::to_string(i) + "].import", problems);
+  }
+  for (std::size_t i = 0; i < project.processes.size(); ++i) {
+    checkParams(process::ProcessParams::schema().params(), project.processes[i].params,
+                "processes[" + std::to_string(i) + "].params", problems);
+  }
+  for (std::size_t i = 0; i < project.operations.size(); ++i) {
+    const Operation& operation = project.operations[i];
+    const std::string path = "operations[" + std::to_string(i) + "]";
+    const auto strategy =
+        strategies.unless([&] { return plugins_->findSlicing(operation.strategy); });
+    checkParams(toolpath::PathParams::schema().params(), operation.path, path + ".path", problems);
+    checkParams(motion::MotionParams::schema().params(), operation.motion, path + ".motion",
+                problems);
+    for (std::size_t k = 0; k < operation.edits.size(); ++k) {
+      const OperationEdit& edit = operation.edits[k];
+      const std::string place = path + ".edits[" + std::to_string(k) + "].params";
+      for (ParamProblem& problem : toolpath::validateEdit(edit.type, edit.params, place)) {
+        problems.push_back(std::move(problem));
+      }
+    }
+    if (strategy == nullptr) {
+      continue;
+    }
+    checkParams(strategy->info.params, operation.params, path + ".params", problems);
+    if (strategy->info.needsFile && operation.file.empty()) {
+      problems.push_back(
+          {path + ".file", text("the strategy %1 needs a file with a path", {operation.strategy})});
+    }
+    if (!strategy->info.needsFile && operation.parts.empty()) {
+      problems.push_back(
+          {path + ".parts", text("the strategy %1 needs a part", {operation.strategy})});
+    }
+    const std::string& automatic = strategy->info.automaticGuide;
+    const bool ownGuide =
+        !automatic.empty() && operation.params.isObject() && operation.params.contains(automatic) &&
+        operation.params.at(automatic).isBool() && operation.params.at(automatic).asBool();
+    if (strategy->info.needsGuide && operation.guide.empty() && !ownGuide) {
+      problems.push_back(
+          {path + ".guide", automatic.empty()
+                                ? text("the strategy %1 needs a guide curve", {operation.strategy})
+                                : text("the strategy %1 needs a guide curve, or set %2",
+                                       {operation.strategy, automatic})});
+    }
+  }
+  for (std::size_t i = 0; i < project.outputs.size(); ++i) {
+    const auto post = posts.unless([&] { return plugins_->findPost(project.outputs[i].post); });
+    if (post != nullptr) {
+      checkParams(post->info.params, project.outputs[i].params,
+                  "outputs[" + std::to_string(i) + "].params", problems);
+    }
+  }
+  return problems;
+}
+
+std::vector<ParamProblem> Pipeline::problems() const {
+  MissingComponents strategies;
+  MissingComponents posts;
+  std::vector<ParamProblem> found = problems(strategies, posts);
+  strategies.addTo(found);
+  posts.addTo(found);
+  return found;
+}
+
+std::vector<Diagnostic> Pipeline::validate() const {
+  MissingComponents strategies;
+  MissingComponents posts;
+  std::vector<ParamProblem> problems = this->problems(strategies, posts);
+  strategies.throwIfAll(document_.project().operations.size());
+  posts.throwIfAll(document_.project().outputs.size());
+  std::vector<Diagnostic> findings;
+  for (const ParamProblem& problem : problems) {
+    if (problem.unknown) {
+      findings.push_back({Severity::Warning,
+                          "project.unknown_parameter",
+                          text("%1: %2", {problem.path, problem.message}),
+                          "it is kept in the file and has no effect",
+                          {},
+                          {}});
+    }
+  }
+  std::erase_if(problems, [](const ParamProblem& p) { return p.unknown; });
+  throwProblems(problems, ErrorCode::ProjectInvalid, pathText(project_));
+  const std::vector<Diagnostic> files = checkFiles(document_, project_);
+  findings.insert(findings.end(), files.begin(), files.end());
+  return findings;
+}
+
+}  // namespace wcam::project
