@@ -302,8 +302,7 @@ Error CommandLine::usageError(const CLI::ParseError& error) const {
   } else if (!app.get_subcommands({}).empty() && app.get_parent() != nullptr) {
     message = "'" + app.get_name() + "' needs one of: " + joinText(verbNames(app), ", ");
   }
-  return Error(ErrorCode::InvalidArgument, message, {},
-               "`" + commandName(app) + " --help` tells what there is");
+  return Error(ErrorCode::InvalidArgument, message, {}, "see `" + commandName(app) + " --help`");
 }
 
 std::optional<std::string> CommandLine::parse(int argc, char** argv) {
@@ -318,9 +317,8 @@ std::optional<std::string> CommandLine::parse(int argc, char** argv) {
   }
   if (verb_ == nullptr && !completion_) {
     if (options_.project.empty()) {
-      throw Error(
-          ErrorCode::InvalidArgument, "give a project with --project, or a verb", {},
-          "verbs: " + joinText(verbNames(app_), ", ") + "; `camcli --help` tells what there is");
+      throw Error(ErrorCode::InvalidArgument, "give a project with --project, or a verb", {},
+                  "verbs: " + joinText(verbNames(app_), ", ") + "; see `camcli --help`");
     }
     verb_ = runProjectVerb;
   } else if (!options_.project.empty()) {

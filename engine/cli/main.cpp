@@ -22,15 +22,15 @@ using namespace wcam;
 
 constexpr int kInternal = 2;
 
-/// A plugin that the user names and that is refused, or that takes the place of another, is
-/// reported even when the run does not need it.
-void tellRefusedPlugins(const plugin::PluginHost& plugins, const cli::Console& console) {
+/// A plugin that the user names must be usable, even when the run does not need it; one that takes
+/// the place of another is reported. @throws Error(PluginRefused)
+void loadNamedPlugins(const plugin::PluginHost& plugins, const cli::Console& console) {
   plugins.loadRequested();
   for (const plugin::PluginReport& report : plugins.reports()) {
     if (report.origin == plugin::PluginOrigin::Requested &&
         report.verdict == plugin::PluginVerdict::Refused) {
-      console.complain("camcli: warning: the plugin " + pathText(report.path) +
-                       " is refused: " + report.reason.str());
+      throw Error(ErrorCode::PluginRefused, text("the plugin is refused: %1", {report.reason}),
+                  pathText(report.path), "correct it, or leave out --plugin");
     }
     const bool replaced = report.verdict == plugin::PluginVerdict::Shadowed ||
                           report.verdict == plugin::PluginVerdict::Refused;
@@ -56,8 +56,9 @@ int runVerb(const cli::CommandLine& line,
   const ThreadLimit threads(options.threads);
   const auto plugins = std::make_shared<const plugin::PluginHost>(
       plugin::defaultPluginSearch(files, !options.noUserPlugins));
-  if (!files.empty()) {
-    tellRefusedPlugins(*plugins, console);
+  // The list of plugins says itself what is refused.
+  if (!files.empty() && line.verb() != cli::pluginsListVerb) {
+    loadNamedPlugins(*plugins, console);
   }
   return line.verb()({options, console, JobContext(stop, console.progressBar()), plugins});
 }

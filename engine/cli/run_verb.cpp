@@ -290,7 +290,7 @@ int checkVerb(const Session& session) {
   const std::filesystem::path file = pathFromText(session.options.file);
   if (file.empty()) {
     throw Error(ErrorCode::InvalidArgument, "give a project, or a folder with --output", {},
-                "`camcli check --help` tells what there is");
+                "see `camcli check --help`");
   }
   const std::string difference = project::checkCanonical(file);
   if (!difference.empty()) {

@@ -192,8 +192,11 @@ void MainWindow::openDialog() {
 void MainWindow::offerReload() {
   auto* box = new QMessageBox(
       QMessageBox::Question, tr("The project file has changed"),
-      tr("Another program has changed %1. Read the file again, or keep what is open here and "
-         "replace the file when saving?")
+      (session_->modified()
+           ? tr("Another program has changed %1. Read the file again and lose what you have not "
+                "saved, or keep what is open here and replace the file when saving?")
+           : tr("Another program has changed %1. Read the file again, or keep what is open here "
+                "and replace the file when saving?"))
           .arg(qt(session_->file().filename().string())),
       QMessageBox::NoButton, this);
   box->setObjectName("reloadBox");

@@ -10475,6 +10475,10 @@
         <source>Keep what is open</source>
         <translation>Garder ce qui est ouvert</translation>
     </message>
+    <message>
+        <source>Another program has changed %1. Read the file again and lose what you have not saved, or keep what is open here and replace the file when saving?</source>
+        <translation>Un autre programme a modifié %1. Relire le fichier et perdre ce que vous n&apos;avez pas enregistré, ou garder ce qui est ouvert ici et remplacer le fichier à l&apos;enregistrement ?</translation>
+    </message>
 </context>
 <context>
     <name>wcam::gui::MoveBar</name>

@@ -62,7 +62,7 @@ TEST_F(Plugins, MissingOneIsNamed) {
   EXPECT_THAT(refusedRun(project2, 7), HasSubstr("'com.acme.post'"));
 }
 
-TEST_F(Plugins, RefusedOnesMatterWhenTheyAreNeeded) {
+TEST_F(Plugins, RefusedOnesThatAreNamedEndTheRun) {
   for (const char* name : {"wrong_abi", "newer_abi", "wrong_fingerprint", "no_entry"}) {
     const std::string id = "probe." + std::string(name);
     const ProcessResult needed =
@@ -72,9 +72,12 @@ TEST_F(Plugins, RefusedOnesMatterWhenTheyAreNeeded) {
     EXPECT_THAT(needed.err, HasSubstr(id)) << name;
     EXPECT_FALSE(fs::exists(folder_ / "out"));
     const ProcessResult idle = camcli({"--project", elbow_, "--check", "--plugin", probe(name)});
-    EXPECT_EQ(idle.exitCode, 0) << name;
-    EXPECT_THAT(idle.err, AllOf(HasSubstr("camcli: warning: the plugin "), HasSubstr("is refused"),
-                                HasSubstr(name)));
+    EXPECT_EQ(idle.exitCode, 7) << name;
+    EXPECT_THAT(idle.err, AllOf(HasSubstr("the plugin is refused: "), HasSubstr(name)));
+    // The list shows them, to see why.
+    const ProcessResult list = camcli({"plugins", "list", "--plugin", probe(name)});
+    EXPECT_EQ(list.exitCode, 0) << list.err;
+    EXPECT_THAT(list.out, HasSubstr("refused  org.wcam.probe." + std::string(name)));
   }
 }
 
@@ -82,7 +85,7 @@ TEST_F(Plugins, LibraryThatIsNone) {
   writeFileAtomically(folder_ / "none.so", "no library");
   for (const char* file : {"none.so", "missing.so"}) {
     const ProcessResult result = camcli({"--project", elbow_, "--check", "--plugin", file});
-    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.exitCode, 7);
     EXPECT_THAT(result.err, AllOf(HasSubstr(file), HasSubstr("is refused")));
   }
 }

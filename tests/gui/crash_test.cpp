@@ -47,6 +47,13 @@ protected:
 
   /// A change that is not saved, an end by a signal, and a start after it.
   void endAndRecover(const QString& role, int number, const std::filesystem::path& file) {
+    endAndRecover(role, number, file, file);
+  }
+
+  void endAndRecover(const QString& role,
+                     int number,
+                     const std::filesystem::path& file,
+                     const std::filesystem::path& fileAfter) {
     auto victim = start(role, file);
     QByteArray said;
     ASSERT_TRUE(says(*victim, "ready", said)) << said.toStdString();
@@ -58,7 +65,7 @@ protected:
       EXPECT_EQ(victim->exitStatus(), QProcess::NormalExit);
       EXPECT_EQ(victim->exitCode(), 128 + number);
     }
-    auto next = start("recover", file);
+    auto next = start("recover", fileAfter);
     ASSERT_TRUE(next->waitForFinished(test::kPatienceMs));
     const QByteArray answer = next->readAllStandardOutput();
     EXPECT_EQ(next->exitStatus(), QProcess::NormalExit) << "the program crashed at its start";
@@ -84,6 +91,12 @@ TEST_F(Program, ASavedProjectIsRecoveredAfterSigterm) {
 
 TEST_F(Program, AnUnsavedProjectIsRecoveredAfterSigterm) {
   endAndRecover("change-at-once", SIGTERM, {});
+}
+
+TEST_F(Program, AnUnsavedProjectIsRecoveredBeforeAPartIsImported) {
+  const std::filesystem::path part = folder / "elbow.step";
+  std::filesystem::copy(test::example("elbow").parent_path() / "elbow.step", part);
+  endAndRecover("change", SIGKILL, {}, part);
 }
 
 TEST_F(Program, APartOnTheCommandLineIsImportedAtTheStart) {

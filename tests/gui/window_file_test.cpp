@@ -152,6 +152,47 @@ TEST_F(WindowFiles, ASecondWindowOnTheSameFileIsWarnedAndDoesNotOverwrite) {
   EXPECT_TRUE(second.session().lockedBy().isEmpty());
 }
 
+TEST_F(WindowFiles, AChangeByAnotherProgramIsReadOrKeptOut) {
+  const std::filesystem::path file = test::copyOf("elbow", folder.path());
+  ASSERT_TRUE(window.openFile(file));
+  const auto changeOutside = [&](const std::string& name) {
+    project::Document changed = project::loadProject(file).document;
+    changed = project::apply(changed, {"project.rename", Value::object({{"name", name}})});
+    writeFileAtomically(file, changed.text());
+  };
+  const auto answer = [&](const QString& button) {
+    QMessageBox* box = nullptr;
+    ASSERT_TRUE(waitFor([&] {
+      box = window.findChild<QMessageBox*>("reloadBox");
+      return box != nullptr && box->isVisible();
+    })) << "nothing was asked";
+    box->grab().save(QString(WCAM_GUI_PICTURES) + "/reload-window.png");
+    for (QAbstractButton* each : box->buttons()) {
+      if (each->text() == button) {
+        QTest::mouseClick(each, Qt::LeftButton);
+        break;
+      }
+    }
+    ASSERT_TRUE(waitFor([&] { return window.findChild<QMessageBox*>("reloadBox") == nullptr; }));
+  };
+  changeOutside("outside");
+  // Before anything is decided nobody's work is replaced.
+  EXPECT_THROW(window.session().save(), Error);
+  answer("Read again");
+  EXPECT_EQ(window.session().document().project().name, "outside");
+  EXPECT_FALSE(window.session().modified());
+  ASSERT_FALSE(
+      window.session().apply({"project.rename", Value::object({{"name", "mine"}})}).has_value());
+  changeOutside("outside again");
+  answer("Keep what is open");
+  EXPECT_EQ(window.session().document().project().name, "mine");
+  window.session().save();
+  EXPECT_EQ(project::loadProject(file).document.project().name, "mine");
+  // Its own saving is no change by another program.
+  QTest::qWait(200);
+  EXPECT_EQ(window.findChild<QMessageBox*>("reloadBox"), nullptr);
+}
+
 TEST_F(WindowFiles, UnsavedWorkIsRecoveredAfterACrash) {
   const std::filesystem::path file = test::copyOf("elbow", folder.path());
   {
