@@ -6,8 +6,9 @@
 // definitions take their place in every program that links the engine, for the engine, its
 // libraries and its plugins alike (the dynamic linker binds a name to the first library that has
 // it, and the engine stands before the C library). SLEEF's pure C functions give the same bits on
-// every processor; they are within 1 unit in the last place and cost 1 to 3 times as much as the C
-// library's.
+// every processor; they are within 1 unit in the last place. Measured on one machine: sine, cosine,
+// tangent, arc cosine and arc tangent cost 1.4 to 3 times as much as the C library's, exponential
+// and logarithms 2 to 6 times, acosh 9 times, asin less.
 //
 // Not here: functions whose C versions are the same on every processor (sqrt, hypot, cbrt, fmod,
 // floor, ...; those of float, which compute in double and round).
