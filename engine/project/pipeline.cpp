@@ -30,7 +30,7 @@ namespace {
 // Raise the version of a stage when the same input gives another result.
 constexpr int kPartVersion = 2;
 constexpr int kSubstrateVersion = 1;
-constexpr int kSliceVersion = 4;
+constexpr int kSliceVersion = 5;
 constexpr int kPathVersion = 3;
 constexpr int kEditsVersion = 3;
 constexpr int kProcessVersion = 3;

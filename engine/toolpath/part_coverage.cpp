@@ -206,6 +206,46 @@ void reportUncovered(const SlicedLayers& sliced,
   }
 }
 
+/// Layers around an axis may run on through the plate.
+void reportInside(const SlicedLayers& sliced,
+                  const Substrate& substrate,
+                  double tolerance,
+                  const JobContext& context) {
+  if (!substrate.isPlate()) {
+    return;
+  }
+  const geometry::Pose T_plate_part = substrate.pose().inverse();
+  const Vec3 half = 0.5 * substrate.size();
+  double deepest = 0.0;
+  Vec3 place = Vec3::Zero();
+  for (const SlicedLayer& layer : sliced.layers) {
+    for (const Contour& contour : layer.contours) {
+      for (const ContourPoint& point : contour.points) {
+        const Vec3 p = T_plate_part * point.p;
+        const bool within = std::abs(p.x()) < half.x() && std::abs(p.y()) < half.y() &&
+                            p.z() > -substrate.size().z();
+        if (within && -p.z() > deepest) {
+          deepest = -p.z();
+          place = point.p;
+        }
+      }
+    }
+  }
+  if (deepest > tolerance) {
+    context.add(
+        {Severity::Violation,
+         "slicing.bead_in_plate",
+         text("beads lie up to %1 mm inside the plate, deepest at (%2, %3, %4)",
+              {formatFixed(deepest, 3), formatFixed(place.x(), 1), formatFixed(place.y(), 1),
+               formatFixed(place.z(), 1)}),
+         text("raise the part by %1 mm along the build direction, or choose a strategy "
+              "whose layers begin at the plate",
+              {formatFixed(std::ceil(1e3 * deepest) / 1e3, 3)}),
+         {},
+         {{"depth_mm", deepest}, {"x_mm", place.x()}, {"y_mm", place.y()}, {"z_mm", place.z()}}});
+  }
+}
+
 void reportBelow(const SlicedLayers& sliced,
                  const std::vector<std::shared_ptr<const PartSurface>>& parts,
                  const Substrate& substrate,
@@ -260,6 +300,11 @@ void reportLeftOut(const SlicedLayers& sliced,
   if (own) {
     return;
   }
+  double tolerance = 0.0;
+  for (const auto& part : parts) {
+    tolerance = std::max(tolerance, kOnPlate * geometry::flatTolerance(part->mesh));
+  }
+  reportInside(sliced, substrate, tolerance, context);
   reportBelow(sliced, parts, substrate, context);
   reportUncovered(sliced, parts, substrate, bead, context);
 }

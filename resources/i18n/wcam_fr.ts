@@ -9042,6 +9042,14 @@
         <source>split the operation so that the axis turns back between its parts, or let beads change their direction (alternate)</source>
         <translation>partagez l&apos;opération pour que l&apos;axe se déroule entre ses parties, ou faites alterner le sens des cordons (alternate)</translation>
     </message>
+    <message>
+        <source>beads lie up to %1 mm inside the plate, deepest at (%2, %3, %4)</source>
+        <translation>des cordons se trouvent jusqu&apos;à %1 mm dans la plaque, au plus profond en (%2, %3, %4)</translation>
+    </message>
+    <message>
+        <source>raise the part by %1 mm along the build direction, or choose a strategy whose layers begin at the plate</source>
+        <translation>relevez la pièce de %1 mm dans la direction de construction, ou choisissez une stratégie dont les couches commencent à la plaque</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

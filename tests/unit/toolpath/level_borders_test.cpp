@@ -267,5 +267,29 @@ TEST(LeftOut, WhatLiesBelowThePlateIsTold) {
   }
 }
 
+TEST(LeftOut, BeadsAroundAnAxisInsideThePlateAreAViolation) {
+  // A tube about the plate's axis that reaches 5 mm below its top.
+  const auto part = [](double z) {
+    geometry::TriangleMesh tube = test::tubeMesh(20, 30, 48, 12);
+    for (geometry::Vec3& p : tube.vertices) {
+      p.z() += z;
+    }
+    return test::meshSurface(std::move(tube));
+  };
+  for (const double z : {-5.0, 0.0}) {
+    const plugin::SliceInput input{{part(z)}, test::plate(), nullptr, {0.001, 4.9}};
+    const JobContext context;
+    const SlicedLayers sliced = test::slice("wcam.slicing.radial", input,
+                                            R"({"shape": "angle", "step": 5.0, "sweep": 180})");
+    reportLeftOut(sliced, input.parts, *input.substrate, {1.0, 4.0, 6.0}, context);
+    const auto found = withCode(context, "slicing.bead_in_plate");
+    ASSERT_EQ(found.size(), z < 0.0 ? 1U : 0U);
+    if (z < 0.0) {
+      EXPECT_EQ(found[0].severity, Severity::Violation);
+      EXPECT_NE(found[0].message.str().find("5.000 mm"), std::string::npos) << found[0].message;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wcam::toolpath

@@ -17,6 +17,9 @@ namespace wcam::toolpath {
 /// Findings:
 /// - slicing.below_plate: a part reaches below the plate, and what lies there gets no layers: how
 ///   deep it reaches, and by how much it has to be raised;
+/// - slicing.bead_in_plate: beads lie inside the plate (layers around an axis): how deep and where,
+/// a
+///   violation;
 /// - slicing.uncovered: faces farther from every bead than a bead or a layer reaches, between the
 ///   layers or inside them (near-horizontal ones, the top of a solid that is only outlined): their
 ///   area, the place farthest from a bead, and the strategy that would cover them. What lies below
