@@ -82,23 +82,48 @@ std::string toLine(const Diagnostic& diagnostic) {
   return line;
 }
 
+Diagnostics::Diagnostics(const Diagnostics& other) {
+  *this = other;
+}
+
 Diagnostics& Diagnostics::operator=(const Diagnostics& other) {
   if (this != &other) {
-    auto copy = other.items();
-    const std::lock_guard lock(mutex_);
-    items_ = std::move(copy);
+    const std::scoped_lock lock(mutex_, other.mutex_);
+    items_ = other.items_;
+    kinds_ = other.kinds_;
   }
   return *this;
 }
 
+void Diagnostics::addLocked(Diagnostic diagnostic) {
+  Kind& kind = kinds_[{diagnostic.code, diagnostic.severity}];
+  ++kind.count;
+  if (kind.count <= kMostOfOneKind) {
+    items_.push_back(std::move(diagnostic));
+    return;
+  }
+  if (kind.count == kMostOfOneKind + 1) {
+    kind.more = items_.size();
+    items_.push_back({diagnostic.severity, "findings.more", {}, {}, {}, {}});
+    items_.back().place.operation = diagnostic.place.operation;
+  }
+  const std::size_t beyond = kind.count - kMostOfOneKind;
+  Diagnostic& more = items_[kind.more];
+  more.message = text("%1 more findings of the kind %2 are not listed",
+                      {std::to_string(beyond), diagnostic.code});
+  more.data = {{"findings", static_cast<double>(beyond)}};
+}
+
 void Diagnostics::add(Diagnostic diagnostic) {
   const std::lock_guard lock(mutex_);
-  items_.push_back(std::move(diagnostic));
+  addLocked(std::move(diagnostic));
 }
 
 void Diagnostics::append(const std::vector<Diagnostic>& items) {
   const std::lock_guard lock(mutex_);
-  items_.insert(items_.end(), items.begin(), items.end());
+  for (const Diagnostic& diagnostic : items) {
+    addLocked(diagnostic);
+  }
 }
 
 std::vector<Diagnostic> Diagnostics::items() const {

@@ -9,6 +9,10 @@ namespace wcam::cell {
 
 namespace {
 
+/// The double next to π/2, and its cosine.
+constexpr double kRightAngle = 1.5707963267948966;
+constexpr double kCosineRightAngle = 6.123233995736766e-17;
+
 /// What the controller values add to the joint's angle or length.
 double jointMotion(const Joint& joint, int index, const double* q) {
   double value = joint.sign * q[index];
@@ -27,8 +31,14 @@ Pose jointTransform(const Joint& joint, int index, const double* q) {
 }  // namespace
 
 Pose dhTransform(double alpha, double d, double angle, double r) {
-  const double ca = std::cos(alpha);
-  const double sa = std::sin(alpha);
+  // Most axes are parallel or square to the one before; half of the time goes into these two else.
+  const bool parallel = alpha == 0.0;
+  const double ca = parallel                         ? 1.0
+                    : std::abs(alpha) == kRightAngle ? kCosineRightAngle
+                                                     : std::cos(alpha);
+  const double sa = parallel                         ? 0.0
+                    : std::abs(alpha) == kRightAngle ? std::copysign(1.0, alpha)
+                                                     : std::sin(alpha);
   const double ct = std::cos(angle);
   const double st = std::sin(angle);
   Pose pose;

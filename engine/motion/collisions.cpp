@@ -7,6 +7,7 @@
 #include "wcam/motion/explain.hpp"
 
 #include "path_index.hpp"
+#include "plan_detail.hpp"
 #include "table_support.hpp"
 
 #include <algorithm>
@@ -24,8 +25,6 @@ using collision::Contact;
 /// by no more in the part (mm).
 const double kJointStep = degToRad(2.0);
 constexpr double kTcpStep = 5.0;
-/// States looked at between two questions for a cancel.
-constexpr std::size_t kChunk = 4096;
 /// A contact of less than this is one of rounding: the top of a bead in the plane of a nozzle's
 /// end, mm.
 constexpr double kTouch = 1e-4;
@@ -131,9 +130,9 @@ std::vector<float> evaluateAll(const std::vector<CellState>& states,
                                const collision::CellCollision& collision,
                                const JobContext& context) {
   std::vector<float> clearance(states.size());
-  for (std::size_t begin = 0; begin < states.size(); begin += kChunk) {
+  for (std::size_t begin = 0; begin < states.size(); begin += detail::kStatesBetweenChecks) {
     context.check();
-    const std::size_t count = std::min(kChunk, states.size() - begin);
+    const std::size_t count = std::min(detail::kStatesBetweenChecks, states.size() - begin);
     collision.evaluate(std::span(states).subspan(begin, count),
                        std::span(clearance).subspan(begin, count));
     context.report(static_cast<double>(begin + count) / static_cast<double>(states.size()));

@@ -272,8 +272,11 @@ private:
   std::array<double, 12> transition_{}, acceleration_{}, jerk_{}, variance_{};
 };
 
-void addCollisions(const Motion& motion, const collision::Clearance& clearance, Partial& sums) {
-  const std::vector<float> distances = detail::clearanceOf(motion, clearance);
+void addCollisions(const Motion& motion,
+                   const collision::Clearance& clearance,
+                   const JobContext& context,
+                   Partial& sums) {
+  const std::vector<float> distances = detail::clearanceOf(motion, clearance, context);
   for (const float distance : distances) {
     if (distance < 0.0F) {
       sums.breaks(Constraint::Collision, -static_cast<double>(distance) / kClearanceUnit);
@@ -346,14 +349,20 @@ double speedLoss(const Motion& motion) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-std::vector<float> clearanceOf(const Motion& motion, const collision::Clearance& clearance) {
+std::vector<float> clearanceOf(const Motion& motion,
+                               const collision::Clearance& clearance,
+                               const JobContext& context) {
+  std::vector<float> distances(motion.waypoints.size(), 0.0F);
   std::vector<collision::CellState> states;
-  states.reserve(motion.waypoints.size());
-  for (const Waypoint& point : motion.waypoints) {
-    states.push_back({point.joints, point.deposited});
+  for (std::size_t begin = 0; begin < distances.size(); begin += kStatesBetweenChecks) {
+    context.check();
+    const std::size_t count = std::min(kStatesBetweenChecks, distances.size() - begin);
+    states.clear();
+    for (std::size_t i = begin; i < begin + count; ++i) {
+      states.push_back({motion.waypoints[i].joints, motion.waypoints[i].deposited});
+    }
+    clearance.evaluate(states, std::span(distances).subspan(begin, count));
   }
-  std::vector<float> distances(states.size(), 0.0F);
-  clearance.evaluate(states, distances);
   return distances;
 }
 
@@ -385,7 +394,7 @@ Evaluation evaluateMotion(const Motion& motion,
     whole.add(part);
   }
   if (clearance != nullptr) {
-    addCollisions(motion, *clearance, whole);
+    addCollisions(motion, *clearance, context, whole);
   }
   const ObjectiveValues weights = params.weights();
   const double points = std::max<double>(1.0, static_cast<double>(whole.points));

@@ -89,8 +89,11 @@ std::vector<float> collisionCosts(const Task& task,
 
 class Optimizer {
 public:
-  Optimizer(const Task& task, const JobContext& context, const collision::Clearance* clearance)
-      : task_(task), context_(context), clearance_(clearance) {}
+  Optimizer(const Task& task,
+            bool searches,
+            const JobContext& context,
+            const collision::Clearance* clearance)
+      : task_(task), searches_(searches), context_(context), clearance_(clearance) {}
 
   /// The candidates side by side, compared in a fixed order.
   Candidate run() {
@@ -100,7 +103,7 @@ public:
         named.push_back(static_cast<RedundancyMode>(m));
       }
     }
-    const std::size_t families = task_.references.size();
+    const std::size_t families = searches_ ? task_.references.size() : 0;
     // The searches first: they take longest.
     std::vector<std::vector<Candidate>> found(families + 1 + named.size());
     expected_ = kStepsOfFamily * families + 1 + named.size();
@@ -283,7 +286,7 @@ private:
                      const Motion& motion,
                      ExtraCosts& extra,
                      std::size_t& lookedAt) const {
-    const std::vector<float> distances = clearanceOf(motion, *clearance_);
+    const std::vector<float> distances = clearanceOf(motion, *clearance_, context_);
     bool added = false;
     for (std::size_t r = 0; r < frame.rungs.size(); ++r) {
       const Segment& segment = task_.runs.segments[frame.rungs[r].segment];
@@ -305,6 +308,7 @@ private:
   }
 
   const Task& task_;
+  bool searches_;
   const JobContext& context_;
   const collision::Clearance* clearance_;
   mutable std::atomic<std::size_t> done_ = 0;
@@ -316,7 +320,13 @@ private:
 Candidate resolveOptimized(const Task& task,
                            const JobContext& context,
                            const collision::Clearance* clearance) {
-  return Optimizer(task, context, clearance).run();
+  return Optimizer(task, true, context, clearance).run();
+}
+
+Candidate bestNamed(const Task& task,
+                    const JobContext& context,
+                    const collision::Clearance* clearance) {
+  return Optimizer(task, false, context, clearance).run();
 }
 
 }  // namespace wcam::motion::detail

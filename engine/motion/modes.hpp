@@ -34,6 +34,11 @@ Candidate resolveOptimized(const Task& task,
                            const JobContext& context,
                            const collision::Clearance* clearance);
 
+/// The best of the other modes, without a search of its own.
+Candidate bestNamed(const Task& task,
+                    const JobContext& context,
+                    const collision::Clearance* clearance);
+
 /// One of the modes above except Optimized.
 /// @throws Error(JobFailed) when the cell lacks the axes that the mode drives
 Resolution resolveNamed(RedundancyMode mode, const Task& task, const JobContext& context);

@@ -8,6 +8,7 @@
 #include "wcam/motion/reversals.hpp"
 
 #include "cell_model.hpp"
+#include "coarse_targets.hpp"
 #include "modes.hpp"
 #include "table_reference.hpp"
 
@@ -97,6 +98,85 @@ void detail::checkBranch(const cell::Cell& cell, const MotionParams& params, con
   }
 }
 
+namespace {
+
+/// The gravity-aligned references of an operation with what all modes work on.
+detail::Task makeTask(const cell::Cell& cell,
+                      const MotionParams& params,
+                      std::vector<detail::Target> targets,
+                      const JobContext& context) {
+  detail::Runs runs = detail::findRuns(targets);
+  std::vector<detail::Positioning> aligned = alignments(cell, targets, context);
+  // In every mode: what gravity asks for must not turn the table over where nothing is gained.
+  std::vector<detail::Positioning> slower =
+      detail::slowerReferences(cell, params, targets, runs, aligned[0], context);
+  if (!slower.empty()) {
+    aligned = std::move(slower);
+  }
+  return {cell, params, std::move(targets), std::move(runs), aligned, aligned};
+}
+
+/// The free choices of all targets by the mode of the parameters, and their worth. The motion of
+/// the candidate is not kept: its memory is that of the path.
+detail::Candidate choose(const detail::Task& task,
+                         const JobContext& context,
+                         const collision::Clearance* clearance) {
+  const MotionParams& params = task.params;
+  detail::Candidate chosen =
+      params.mode == RedundancyMode::Optimized
+          ? detail::resolveOptimized(task, context, clearance)
+          : detail::makeCandidate(task, params.mode,
+                                  detail::resolveNamed(params.mode, task, context), context,
+                                  clearance);
+  chosen.motion = {};
+  return chosen;
+}
+
+/// A task whose free choices come from elsewhere: gravity-aligned without more.
+detail::Task alignedTask(const cell::Cell& cell,
+                         const MotionParams& params,
+                         std::vector<detail::Target> targets,
+                         const JobContext& context) {
+  detail::Runs runs = detail::findRuns(targets);
+  std::vector<detail::Positioning> aligned = {detail::positionPart(cell, targets, 0, context)};
+  return {cell, params, std::move(targets), std::move(runs), std::move(aligned), {}};
+}
+
+detail::Task taskOfSome(const detail::Task& task,
+                        const std::vector<std::size_t>& kept,
+                        const JobContext& context) {
+  std::vector<detail::Target> some;
+  some.reserve(kept.size());
+  for (const std::size_t i : kept) {
+    some.push_back(task.targets[i]);
+  }
+  return makeTask(task.cell, task.params, std::move(some), context);
+}
+
+/// The same by a search on some of the targets.
+/// @param task of all targets; only its first reference is needed
+detail::Candidate chooseOnCoarse(const detail::Task& task,
+                                 const std::vector<std::size_t>& kept,
+                                 const JobContext& context,
+                                 const collision::Clearance* clearance) {
+  detail::Candidate chosen = choose(taskOfSome(task, kept, context), context, clearance);
+  chosen.resolution = detail::spreadOverTargets(task, kept, chosen.resolution, context);
+  return chosen;
+}
+
+/// The named mode that is best on some of the beads, for all of them.
+detail::Candidate chooseOnSample(const detail::Task& task,
+                                 const JobContext& context,
+                                 const collision::Clearance* clearance) {
+  detail::Candidate chosen = detail::bestNamed(
+      taskOfSome(task, detail::sampledBeads(task.runs), context), context, clearance);
+  chosen.resolution = detail::resolveNamed(chosen.mode, task, context);
+  chosen.motion = {};
+  return chosen;
+}
+
+}  // namespace
+
 PlannedMotion planMotion(const toolpath::Toolpath& path,
                          const cell::Cell& cell,
                          const MotionParams& given,
@@ -110,25 +190,28 @@ PlannedMotion planMotion(const toolpath::Toolpath& path,
   if (targets.empty()) {
     return planned;
   }
-  detail::Runs runs = detail::findRuns(targets);
-  std::vector<detail::Positioning> aligned = alignments(cell, targets, context);
-  // In every mode: what gravity asks for must not turn the table over where nothing is gained.
-  std::vector<detail::Positioning> slower =
-      detail::slowerReferences(cell, params, targets, runs, aligned[0], context);
-  if (!slower.empty()) {
-    aligned = std::move(slower);
-  }
-  const detail::Task task{cell, params, std::move(targets), std::move(runs), aligned, aligned};
-  context.report(0.1);
-  const JobContext planning = context.portion(0.1, 0.8);
-  detail::Candidate chosen =
-      params.mode == RedundancyMode::Optimized
-          ? detail::resolveOptimized(task, planning, clearance)
-          : detail::makeCandidate(task, params.mode,
-                                  detail::resolveNamed(params.mode, task, planning), context,
-                                  clearance);
+  // Named modes follow their rule at every target; only the search is dear.
+  const bool optimized = params.mode == RedundancyMode::Optimized;
+  const bool sampled =
+      optimized && detail::findRuns(targets).segments.size() > detail::kSearchedBeads;
+  const std::vector<std::size_t> kept =
+      optimized && !sampled ? detail::coarseTargets(targets) : std::vector<std::size_t>();
+  detail::Candidate chosen;
   std::vector<detail::PointState> states;
-  planned.motion = detail::solveMotion(task, chosen.resolution, context, &states);
+  {
+    const detail::Task task = kept.empty() ? makeTask(cell, params, std::move(targets), context)
+                                           : alignedTask(cell, params, std::move(targets), context);
+    context.report(0.1);
+    const JobContext planning = context.portion(0.1, 0.8);
+    chosen = sampled        ? chooseOnSample(task, planning, clearance)
+             : kept.empty() ? choose(task, planning, clearance)
+                            : chooseOnCoarse(task, kept, planning, clearance);
+    planned.motion = detail::solveMotion(task, chosen.resolution, context, &states);
+  }
+  if (sampled || !kept.empty()) {
+    // Collisions of all targets are counted when they are reported.
+    chosen.evaluation = evaluateMotion(planned.motion, cell, params, context);
+  }
   fillDexterity(cell, planned.motion, states, context);
   applyTimeLaw(planned.motion, cell, params, params.jointSpeedRatio, context);
   detail::reportFindings(cell, planned.motion, states, params, operationId, context);

@@ -26,7 +26,7 @@ struct Target {
   Vec3 axis = Vec3::UnitZ();
   Vec3 up = Vec3::UnitZ();
   Vec3 along = Vec3::UnitX();  ///< direction of travel; lead tilts towards it
-  Waypoint waypoint;           ///< everything but pose, joints and times
+  WantedMove waypoint;
 };
 
 /// Waypoints of an operation: beads with retract, travel and approach moves around them.
@@ -182,7 +182,12 @@ double accelerationScale(const cell::Joint& joint);
 double jerkScale(const cell::Joint& joint);
 /// How far a sum of joints lies outside its limits, rad or mm; 0 inside.
 double sumExcess(const cell::JointSum& sum, const cell::JointVector& q);
-std::vector<float> clearanceOf(const Motion& motion, const collision::Clearance& clearance);
+/// States of a motion that are compared with the cell between two questions for a cancel: some 50
+/// µs each on one core.
+inline constexpr std::size_t kStatesBetweenChecks = 4096;
+std::vector<float> clearanceOf(const Motion& motion,
+                               const collision::Clearance& clearance,
+                               const JobContext& context);
 
 /// Collects findings per bead and adds them in order.
 void reportFindings(const Cell& cell,

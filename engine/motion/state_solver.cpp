@@ -135,7 +135,7 @@ void closeSingularPoints(const Task& task,
 /// Everything of a waypoint but its joints, and the pose that the flange must take.
 Pose prepareWaypoint(const Task& task, std::size_t i, const FreeChoice& choice, Waypoint& point) {
   const Target& target = task.targets[i];
-  point = target.waypoint;
+  point = Waypoint{target.waypoint};
   const Pose flange = flangePose(task.cell, target, choice, &point.T_part_tcp);
   point.verticalError = verticalError(task.cell, target.up, choice.positioner);
   point.leastVerticalError = task.aligned[0].residual[i];

@@ -245,7 +245,7 @@ std::vector<Target> makeTargets(const toolpath::Toolpath& path,
 Runs findRuns(const std::vector<Target>& targets) {
   Runs runs;
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    const Waypoint& point = targets[i].waypoint;
+    const WantedMove& point = targets[i].waypoint;
     if (i == 0 || point.kind == MoveKind::Joint) {
       runs.begins.push_back(i);
     }

@@ -35,7 +35,7 @@ constexpr int kPathVersion = 3;
 constexpr int kEditsVersion = 3;
 constexpr int kProcessVersion = 3;
 constexpr int kCellVersion = 3;
-constexpr int kMotionVersion = 5;
+constexpr int kMotionVersion = 6;
 constexpr int kProgramVersion = 3;
 constexpr int kRemediesVersion = 1;
 
@@ -480,7 +480,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
       .text(formatReal(input.bead.heightMin))
       .text(formatReal(input.bead.heightMax))
       .text(formatReal(input.bead.width));
-  const auto sliced = stage<toolpath::SlicedLayers>(
+  auto sliced = stage<toolpath::SlicedLayers>(
       "slice", std::move(sliceKey), context.portion(0.25, 0.6, "slice"),
       [&](const JobContext& own) {
         toolpath::SlicedLayers layers = strategy->strategy->slice(input, sliceParams, own);
@@ -491,7 +491,6 @@ OperationResult Pipeline::computeStages(const Operation& operation,
         return layers;
       });
   collectFrom(sliced);
-  result.sliced = sliced.value;
   input.imported = nullptr;  // the layers hold its points
 
   StageKey pathKey("path", kPathVersion);
@@ -523,6 +522,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   collectFrom(processed);
   result.path = processed.value;
   // A long path takes as much memory in each stage: what is not needed any more goes.
+  sliced.value = nullptr;
   path.value = nullptr;
   edited.value = nullptr;
 

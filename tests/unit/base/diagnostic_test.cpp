@@ -122,5 +122,25 @@ TEST(Diagnostic, TakesTextsAndStrings) {
   EXPECT_EQ(toValue(d).at("remedy").asString(), "use less");
 }
 
+TEST(Diagnostics, CountsWhatIsBeyondTheLimitOfOneKind) {
+  Diagnostics all;
+  for (int i = 0; i < 2500; ++i) {
+    all.add({Severity::Warning, "a.b", "many", {}, {"build", i, -1, -1}, {}});
+  }
+  all.add({Severity::Violation, "a.b", "one", {}, {}, {}});
+  all.add({Severity::Warning, "a.c", "one", {}, {}, {}});
+  const std::vector<Diagnostic> items = all.items();
+  ASSERT_EQ(items.size(), kMostOfOneKind + 3);
+  const Diagnostic& more = items[kMostOfOneKind];
+  EXPECT_EQ(toLine(more),
+            "warning findings.more [build]: 1500 more findings of the kind a.b are not listed");
+  EXPECT_EQ(more.data.front().second, 1500.0);
+  // A copy goes on counting.
+  Diagnostics copy(all);
+  copy.add({Severity::Warning, "a.b", "many", {}, {}, {}});
+  EXPECT_EQ(copy.items()[kMostOfOneKind].data.front().second, 1501.0);
+  EXPECT_EQ(all.items()[kMostOfOneKind].data.front().second, 1500.0);
+}
+
 }  // namespace
 }  // namespace wcam

@@ -5,6 +5,7 @@
 #include "wcam/base/text.hpp"
 #include "wcam/base/value.hpp"
 
+#include <map>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -43,13 +44,17 @@ Value toValue(const Diagnostic& diagnostic);
 /// One line: "warning process.speed_clamped [elbow layer 3 bead 0 point 12]: message (remedy)".
 std::string toLine(const Diagnostic& diagnostic);
 
+/// Findings of one code and severity that a stage keeps; what is beyond is counted in one more
+/// finding, "findings.more". A million of them help nobody, and take a gigabyte.
+inline constexpr std::size_t kMostOfOneKind = 1000;
+
 /// Thread-safe collection. Stages that add from several threads must add in a fixed order
 /// afterwards (collect per index, then append), since order is part of the result.
 class Diagnostics {
 public:
   Diagnostics() = default;
 
-  Diagnostics(const Diagnostics& other) : items_(other.items()) {}
+  Diagnostics(const Diagnostics& other);
 
   Diagnostics& operator=(const Diagnostics& other);
 
@@ -60,8 +65,16 @@ public:
   [[nodiscard]] std::size_t count(std::string_view code) const;
 
 private:
+  struct Kind {
+    std::size_t count = 0;
+    std::size_t more = 0;  ///< index of the finding that counts those beyond the limit
+  };
+
+  void addLocked(Diagnostic diagnostic);
+
   mutable std::mutex mutex_;
   std::vector<Diagnostic> items_;
+  std::map<std::pair<std::string, Severity>, Kind> kinds_;
 };
 
 }  // namespace wcam

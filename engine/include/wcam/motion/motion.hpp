@@ -20,27 +20,31 @@ enum class MoveKind {
   Linear  ///< straight line of the TCP in the part frame
 };
 
-/// One robot position with where it comes from. Times are seconds from the start of the operation.
-struct Waypoint {
+/// Where a robot position comes from and what is wanted of the move that ends there.
+struct WantedMove {
   MoveKind kind = MoveKind::Linear;
   bool arc = false;  ///< the arc burns during the move that ends here
   int layer = -1;
   int bead = -1;
-  int point = -1;                      ///< −1 for approach, retract and travel moves
-  Pose T_part_tcp = Pose::Identity();  ///< tool frame in the part frame; z of the tool frame is the
-                                       ///< tool axis (towards the torch)
-  JointVector joints;
+  int point = -1;          ///< −1 for approach, retract and travel moves
   double speed = 0.0;      ///< wanted TCP speed of the move that ends here, in the part frame, mm/s
   double wireSpeed = 0.0;  ///< mm/s
-  double time = 0.0;       ///< s, from the time law
-  double pause = 0.0;      ///< s that the torch stands here before it goes on (withPauses)
-  double tcpSpeed = 0.0;   ///< predicted TCP speed in the part frame, mm/s
-  /// False where the robot cannot come: joints then hold the arm stretched towards the point (or
-  /// the joints before it), and the TCP is not at T_part_tcp.
-  bool reachable = true;
   /// How many points of the toolpath (all layers and beads, in order) are deposited when the torch
   /// is here.
   std::size_t deposited = 0;
+};
+
+/// One robot position. Times are seconds from the start of the operation.
+struct Waypoint : WantedMove {
+  Pose T_part_tcp = Pose::Identity();  ///< tool frame in the part frame; z of the tool frame is the
+                                       ///< tool axis (towards the torch)
+  JointVector joints;
+  double time = 0.0;      ///< s, from the time law
+  double pause = 0.0;     ///< s that the torch stands here before it goes on (withPauses)
+  double tcpSpeed = 0.0;  ///< predicted TCP speed in the part frame, mm/s
+  /// False where the robot cannot come: joints then hold the arm stretched towards the point (or
+  /// the joints before it), and the TCP is not at T_part_tcp.
+  bool reachable = true;
   double verticalError = 0.0;       ///< angle between the point's up and the vertical, rad
   double leastVerticalError = 0.0;  ///< the same with the positioner's axes at their best, rad
   double tilt = 0.0;  ///< angle between the tool axis and the toolpath's one (lead, lateral), rad

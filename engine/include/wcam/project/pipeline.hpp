@@ -30,7 +30,6 @@ struct OperationResult {
   std::string strategy;
   std::vector<std::shared_ptr<const io::ImportedPart>> parts;
   std::shared_ptr<const toolpath::Substrate> substrate;
-  std::shared_ptr<const toolpath::SlicedLayers> sliced;
   std::shared_ptr<const toolpath::Toolpath> path;  ///< with process and exit rotations
   std::shared_ptr<const cell::Cell> cell;
   std::shared_ptr<const motion::PlannedMotion> motion;
