@@ -41,11 +41,7 @@ Vec2 leftOf(const Vec2& u) {
   return {-u.y(), u.x()};
 }
 
-/// Area beside a place of a bead.
-struct Share {
-  double s = 0.0;
-  double area = 0.0;
-};
+using Share = RoomShare;
 
 /// A ray from a bead to where its room ends.
 struct Ray {
@@ -91,8 +87,10 @@ public:
     const double own = bead.widths.empty()
                            ? options_.width
                            : *std::max_element(bead.widths.begin(), bead.widths.end());
-    return smoothed(sharesOf(line, bead.closed, own), length,
-                    geometry::polylineLength(bead.points, bead.closed), bead.closed);
+    return averagedRoom(sharesOf(line, bead.closed, own),
+                        {length, geometry::polylineLength(bead.points, bead.closed),
+                         kPiece * options_.width, options_.width, bead.closed},
+                        options_.overlap * options_.minWidth, options_.maxWidth);
   }
 
 private:
@@ -232,46 +230,6 @@ private:
     return std::min(way, atMost);
   }
 
-  /// Averages over a bead width with triangular weights. The whole area is kept: what would go
-  /// beyond an end comes back from it.
-  [[nodiscard]] FillRoom smoothed(const std::vector<Share>& shares,
-                                  double length,
-                                  double fullLength,
-                                  bool closed) const {
-    const auto pieces =
-        static_cast<long>(std::max(1.0, std::ceil(length / (kPiece * options_.width) - kFoot)));
-    const double piece = length / static_cast<double>(pieces);
-    const double reach = std::max(options_.width, piece);
-    const auto half = static_cast<long>(std::ceil(reach / piece));
-    const auto inside = [&](long k) {
-      if (closed) {
-        return (k % pieces + pieces) % pieces;
-      }
-      const long folded = (k % (2 * pieces) + 2 * pieces) % (2 * pieces);
-      return folded < pieces ? folded : 2 * pieces - 1 - folded;
-    };
-    std::vector<double> area(static_cast<std::size_t>(pieces), 0.0);
-    for (const Share& share : shares) {
-      const auto here = static_cast<long>(share.s / piece);
-      const auto weight = [&](long k) {
-        return std::max(0.0,
-                        1.0 - std::abs(share.s - (static_cast<double>(k) + 0.5) * piece) / reach);
-      };
-      double sum = 0.0;
-      for (long k = here - half; k <= here + half; ++k) {
-        sum += weight(k);
-      }
-      for (long k = here - half; k <= here + half; ++k) {
-        area[static_cast<std::size_t>(inside(k))] += share.area * weight(k) / sum;
-      }
-    }
-    const double narrowest = options_.overlap * options_.minWidth;
-    for (double& width : area) {
-      width = std::clamp(width / piece, narrowest, options_.maxWidth);
-    }
-    return {std::move(area), fullLength, closed};
-  }
-
   Region2 region_;
   const FillOptions& options_;
   double height_;
@@ -306,6 +264,44 @@ double FillRoom::area() const {
     sum += width;
   }
   return widths_.empty() ? 0.0 : sum * length_ / static_cast<double>(widths_.size());
+}
+
+FillRoom averagedRoom(const std::vector<RoomShare>& shares,
+                      const RoomAverage& average,
+                      double least,
+                      double most) {
+  const double length = average.length;
+  const auto pieces =
+      static_cast<long>(std::max(1.0, std::ceil(length / average.piece - kFoot)));
+  const double piece = length / static_cast<double>(pieces);
+  const double reach = std::max(average.reach, piece);
+  const auto half = static_cast<long>(std::ceil(reach / piece));
+  const auto inside = [&](long k) {
+    if (average.closed) {
+      return (k % pieces + pieces) % pieces;
+    }
+    const long folded = (k % (2 * pieces) + 2 * pieces) % (2 * pieces);
+    return folded < pieces ? folded : 2 * pieces - 1 - folded;
+  };
+  std::vector<double> area(static_cast<std::size_t>(pieces), 0.0);
+  for (const RoomShare& share : shares) {
+    const auto here = static_cast<long>(share.s / piece);
+    const auto weight = [&](long k) {
+      return std::max(0.0,
+                      1.0 - std::abs(share.s - (static_cast<double>(k) + 0.5) * piece) / reach);
+    };
+    double sum = 0.0;
+    for (long k = here - half; k <= here + half; ++k) {
+      sum += weight(k);
+    }
+    for (long k = here - half; k <= here + half; ++k) {
+      area[static_cast<std::size_t>(inside(k))] += share.area * weight(k) / sum;
+    }
+  }
+  for (double& width : area) {
+    width = std::clamp(width / piece, least, most);
+  }
+  return {std::move(area), average.fullLength, average.closed};
 }
 
 std::vector<FillRoom> shareRoom(const Region2& region,
