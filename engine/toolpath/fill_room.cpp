@@ -271,8 +271,7 @@ FillRoom averagedRoom(const std::vector<RoomShare>& shares,
                       double least,
                       double most) {
   const double length = average.length;
-  const auto pieces =
-      static_cast<long>(std::max(1.0, std::ceil(length / average.piece - kFoot)));
+  const auto pieces = static_cast<long>(std::max(1.0, std::ceil(length / average.piece - kFoot)));
   const double piece = length / static_cast<double>(pieces);
   const double reach = std::max(average.reach, piece);
   const auto half = static_cast<long>(std::ceil(reach / piece));

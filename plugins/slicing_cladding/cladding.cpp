@@ -209,9 +209,9 @@ private:
   [[nodiscard]] std::vector<SurfaceCurve> traces(const LinePlanes& planes,
                                                  const toolpath::PlaneStack& stack,
                                                  std::size_t part) const {
-    const SlicedLayers sliced = toolpath::sliceByField(
-        {input_.parts[part]}, toolpath::PlaneField(stack), stack.levels, below_, input_.sampling,
-        context_.withOwnDiagnostics());
+    const SlicedLayers sliced =
+        toolpath::sliceByField({input_.parts[part]}, toolpath::PlaneField(stack), stack.levels,
+                               below_, input_.sampling, context_.withOwnDiagnostics());
     // A surface narrower than a bead has its bead in the middle.
     constexpr double kInside = 0.49;
     return curvesOf(byLevel(sliced, stack.levels), std::min(margin_, kInside * planes.width), part);
@@ -224,12 +224,14 @@ private:
     if (borders_[part].empty()) {
       return margins;
     }
-    const auto fits = [&](const std::array<double, 2>& tried, bool last) {
+    const auto fits = [&](const std::array<double, 2>& tried, bool last, double length) {
       const LinePlanes planes = linePlanes(*input_.parts[part], across(), spacing_, tried);
       toolpath::PlaneStack stack = planes.stack;
       stack.levels = {last ? planes.stack.levels.back() : planes.stack.levels.front()};
       try {
-        return !traces(planes, stack, part).empty();
+        const std::vector<SurfaceCurve> found = traces(planes, stack, part);
+        return std::any_of(found.begin(), found.end(),
+                           [&](const SurfaceCurve& curve) { return curveLength(curve) >= length; });
       } catch (const Error& error) {
         if (error.code() != ErrorCode::JobFailed) {
           throw;
@@ -238,18 +240,26 @@ private:
       }
     };
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-      if (fits(margins, side == 1)) {
-        continue;
+      // Rather a bead worth its start; where the surface is small, any bead.
+      for (const double length : {std::max(minLength_, 2.0 * width_), minLength_}) {
+        std::array<double, 2> tried = margins;
+        tried[side] = margin_ + spacing_;
+        if (fits(margins, side == 1, length)) {
+          break;
+        }
+        if (!fits(tried, side == 1, length)) {
+          continue;
+        }
+        double low = margin_;
+        double high = margin_ + spacing_;
+        constexpr int kBisections = 8;
+        for (int k = 0; k < kBisections; ++k) {
+          tried[side] = 0.5 * (low + high);
+          (fits(tried, side == 1, length) ? high : low) = tried[side];
+        }
+        margins[side] = high;
+        break;
       }
-      std::array<double, 2> tried = margins;
-      double low = margin_;
-      double high = margin_ + spacing_;
-      constexpr int kBisections = 8;
-      for (int k = 0; k < kBisections; ++k) {
-        tried[side] = 0.5 * (low + high);
-        (fits(tried, side == 1) ? high : low) = tried[side];
-      }
-      margins[side] = high;
     }
     return margins;
   }
@@ -263,7 +273,9 @@ private:
                   "pick the faces to clad, or take parallel lines");
     }
     const auto fine = std::make_shared<const PartSurface>(
-        geometry::refineSurface(whole, geometry::fieldEdgeLength(whole, spacing_), context_));
+        // The innermost beads turn around half a spacing: edges half as long follow them.
+        geometry::refineSurface(whole, geometry::fieldEdgeLength(whole, 0.25 * spacing_),
+                                context_));
     geometry::GeodesicSource source;
     for (std::uint32_t h = 0; h < 3 * fine->mesh.triangles.size(); ++h) {
       if (fine->halfEdges.twin(h) == geometry::HalfEdges::kNone) {

@@ -139,7 +139,7 @@ std::vector<SurfaceCurve> insideBorder(const SurfaceCurve& curve,
   }
   // On its way between two points a curve may come near a corner of the border.
   constexpr double kLook = 0.25;
-  constexpr double kRounding = 1e-6;
+  constexpr double kRounding = 1e-10;
   const double least = (1.0 - kRounding) * margin;
   const auto inside = [&](const Vec3& p) { return border.distance(p, 2.0 * margin) >= least; };
   const auto at = [&](std::size_t i, double w) {

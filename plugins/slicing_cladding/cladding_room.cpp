@@ -61,8 +61,8 @@ public:
       Room& made = room_.rooms_.emplace_back();
       made.length = s;
       made.closed = curve.closed;
-      made.pieces.resize(static_cast<std::size_t>(
-          std::max(1.0, std::ceil(s / (kPiece * options.width)))));
+      made.pieces.resize(
+          static_cast<std::size_t>(std::max(1.0, std::ceil(s / (kPiece * options.width)))));
       length += s;
     }
     tree_.build();
@@ -124,10 +124,10 @@ private:
       longest = std::max(longest, edge);
       same = same && feet[k].curve == feet[j].curve && apart(feet[k], feet[j]) <= 2.0 * edge;
     }
-    const bool far = std::min({feet[0].distance, feet[1].distance, feet[2].distance}) >
-                     options_.reach + longest;
-    const bool near = std::max({feet[0].distance, feet[1].distance, feet[2].distance}) <=
-                      options_.reach;
+    const bool far =
+        std::min({feet[0].distance, feet[1].distance, feet[2].distance}) > options_.reach + longest;
+    const bool near =
+        std::max({feet[0].distance, feet[1].distance, feet[2].distance}) <= options_.reach;
     if (far || longest <= fine_ || (same && near && longest <= kCoarse * options_.spacing)) {
       const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
       const double area =
