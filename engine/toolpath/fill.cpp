@@ -103,18 +103,19 @@ private:
     const std::vector<Region2> cells = geometry::nestedInsets(
         region_, first_ - 0.5 * spacing_, spacing_,
         hatched && limit < std::numeric_limits<std::size_t>::max() ? limit + 1 : limit, offset_);
-    layContours(loops);
+    const bool hatching = hatched && loops.size() == limit && cells.size() > limit;
+    layContours(loops, hatching);
     for (std::size_t k = 0; k < cells.size() && k < limit; ++k) {
       fillNarrow(cells[k], k < loops.size() ? loops[k] : Region2{}, static_cast<int>(k));
     }
-    if (hatched && loops.size() == limit && cells.size() > limit) {
+    if (hatching) {
       hatch(loops, cells[limit], static_cast<int>(limit));
     }
   }
 
-  void layContours(const std::vector<Region2>& loops) {
+  void layContours(const std::vector<Region2>& loops, bool hatching) {
     const auto walls = static_cast<std::size_t>(o_.walls);
-    if (o_.pattern == FillPattern::Continuous) {
+    if (o_.pattern == FillPattern::Continuous && hatching) {
       return;  // joined with the hatching
     }
     for (std::size_t k = 0; k < loops.size(); ++k) {

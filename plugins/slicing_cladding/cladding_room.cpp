@@ -224,7 +224,8 @@ toolpath::FillRoom SurfaceRoom::at(std::size_t curve, double height) const {
   }
   return toolpath::averagedRoom(
       shares, {room.length, room.length, kPiece * options_.width, options_.width, room.closed},
-      kNarrowest * options_.spacing, std::numeric_limits<double>::infinity());
+      {kNarrowest * options_.spacing, std::numeric_limits<double>::infinity(),
+       std::numeric_limits<double>::infinity()});
 }
 
 }  // namespace wcam::cladding

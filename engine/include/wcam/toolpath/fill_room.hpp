@@ -46,17 +46,24 @@ struct RoomAverage {
   bool closed = false;
 };
 
+/// Bounds of the widths, mm.
+struct RoomBounds {
+  double least = 0.0;
+  double most = 0.0;
+  double mostAtEnds = 0.0;  ///< within the reach of the average from an open bead's ends
+};
+
 /// The shares averaged, since no torch follows faster changes. The whole area is kept: what would
-/// go beyond an end comes back from it. @param least, most bounds of the widths, mm
+/// go beyond an end comes back from it.
 FillRoom averagedRoom(const std::vector<RoomShare>& shares,
                       const RoomAverage& average,
-                      double least,
-                      double most);
+                      const RoomBounds& bounds);
 
 /// Shares a layer among the beads that fill it. The rooms are exact along the beads (rays across
 /// them, to the bisector of the next bead or to the border) and averaged over one bead width, since
 /// no torch follows faster changes. Each width is at least that of the narrowest bead,
-/// overlap·minWidth, and at most maxWidth.
+/// overlap·minWidth, and at most maxWidth; the ends of open beads also take what lies around
+/// them.
 /// @param region what the layer has to fill, mm²: the part's section, perhaps that of its middle
 /// @param height of the layer, mm: where the border slopes, the outermost beads reach at most half
 /// of it farther than their own width
