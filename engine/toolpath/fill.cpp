@@ -99,8 +99,7 @@ private:
 
   void parallel() {
     const std::size_t limit = contourLimit();
-    std::vector<Region2> loops =
-        geometry::nestedInsets(region_, first_, spacing_, limit, offset_);
+    std::vector<Region2> loops = geometry::nestedInsets(region_, first_, spacing_, limit, offset_);
     for (Region2& level : loops) {
       level = withoutSlivers(level);
     }

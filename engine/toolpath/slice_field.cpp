@@ -288,7 +288,7 @@ SlicedLayers assemble(std::vector<LevelResult> results,
   }
   if (sliced.layers.empty()) {
     throw Error(
-        ErrorCode::JobFailed, "no layer meets the part", "slicing",
+        ErrorCode::CheckFailed, "no layer meets the part", "slicing",
         "check the part's place above the substrate, the build direction and the layer step");
   }
   context.report(1.0);
