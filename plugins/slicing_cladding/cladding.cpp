@@ -233,7 +233,7 @@ private:
         return std::any_of(found.begin(), found.end(),
                            [&](const SurfaceCurve& curve) { return curveLength(curve) >= length; });
       } catch (const Error& error) {
-        if (error.code() != ErrorCode::JobFailed) {
+        if (error.code() != ErrorCode::CheckFailed && error.code() != ErrorCode::JobFailed) {
           throw;
         }
         return false;  // the plane meets nothing
