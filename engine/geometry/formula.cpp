@@ -9,6 +9,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace wcam::geometry {
 
@@ -21,6 +22,32 @@ std::size_t looseComma(const std::string& text) {
     depth += text[i] == '(' ? 1 : 0;
     depth -= text[i] == ')' && depth > 0 ? 1 : 0;
     if (text[i] == ',' && depth == 0) {
+      return i;
+    }
+  }
+  return std::string::npos;
+}
+
+/// Where a comma stands between two digits in a function that takes any number of values:
+/// "min(60, 30+0,5*z)" would have three of them.
+std::size_t decimalComma(const std::string& text) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto isName = [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || isDigit(c);
+  };
+  std::vector<bool> open;  // per parenthesis: of such a function
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') {
+      std::size_t begin = i;
+      while (begin > 0 && isName(text[begin - 1])) {
+        --begin;
+      }
+      const std::string_view name(text.data() + begin, i - begin);
+      open.push_back(name == "min" || name == "max" || name == "sum" || name == "avg");
+    } else if (text[i] == ')' && !open.empty()) {
+      open.pop_back();
+    } else if (text[i] == ',' && !open.empty() && open.back() && i > 0 && isDigit(text[i - 1]) &&
+               i + 1 < text.size() && isDigit(text[i + 1])) {
       return i;
     }
   }
@@ -55,6 +82,20 @@ void requireOneValue(const std::string& formula, const std::string& context) {
         wcam::text("%1 = %2", {context, formula}),
         decimal ? wcam::text("write %1, with a decimal point", {better})
                 : wcam::text("write one formula, not a list"));
+  }
+  if (const std::size_t comma = decimalComma(formula); comma != std::string::npos) {
+    std::string point = formula;
+    point[comma] = '.';
+    std::string list = formula;
+    list.insert(comma + 1, " ");
+    throw Error(
+        ErrorCode::InvalidArgument,
+        wcam::text("a comma between two digits (position %1) may be a decimal comma or separate "
+                   "two values",
+                   {std::to_string(comma + 1)}),
+        wcam::text("%1 = %2", {context, formula}),
+        wcam::text("write %1, with a decimal point, or %2, with a blank after the comma",
+                   {point, list}));
   }
   if (const std::size_t equals = assignment(formula); equals != std::string::npos) {
     throw Error(ErrorCode::InvalidArgument,

@@ -103,7 +103,7 @@ SegmentTree::Nearest SegmentTree::nearestSegment(const Vec3& p) const {
   WCAM_ASSERT(!segments_.empty());
   const Segment& s =
       segments_[find(p, std::numeric_limits<double>::infinity(), kEverySegment).segment];
-  return {s.a, s.b, footOn(p, s.a, s.b)};
+  return {s.a, s.b, footOn(p, s.a, s.b), s.number};
 }
 
 std::optional<Vec3> SegmentTree::nearestWithin(const Vec3& p,

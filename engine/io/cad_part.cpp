@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wcam/base/error.hpp"
+#include "wcam/base/figure.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/plausible.hpp"
 
@@ -465,7 +466,7 @@ geometry::PartSurface build(std::string_view bytes,
     context.add(
         {Severity::Information,
          "import.formula_deviation",
-         text("the surface follows its formula within %1 mm", {formatReal(*model.deviation)}),
+         text("the surface follows its formula within %1 mm", {formatFigure(*model.deviation)}),
          "split the range where the formula has a corner or a vertical tangent, if that is "
          "not near enough",
          {},

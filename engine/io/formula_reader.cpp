@@ -3,6 +3,7 @@
 #include "formula_reader.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/figure.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
@@ -37,6 +38,12 @@ namespace {
 
 /// A radius that is this small compared to the part is a point of the axis.
 constexpr double kOnAxis = 1e-9;
+/// How far a range may go beyond the formula's own, and pieces may lie apart, mm and in parts of
+/// the size: what a number with few decimals misses.
+constexpr double kLoose = 1e-4;
+constexpr double kLooseRelative = 1e-7;
+/// An end that was cut back to the formula's own is on the axis when it is as near, mm.
+constexpr double kCutOnAxis = 1e-2;
 
 /// An object of the file with its place, for messages.
 class Section {
@@ -308,6 +315,8 @@ struct ProfilePiece {
   std::string place;
   std::array<double, 2> z{};
   Formula radius;
+  std::array<bool, 2> cut{};  ///< ends that were cut back to the formula's own
+  double moved = 0.0;         ///< by which an end was moved, mm
 };
 
 /// How a piece is parametrised over [0, 1], so that an end with a vertical tangent (a pole) is
@@ -346,20 +355,58 @@ struct ProfileMap {
   }
 };
 
+double looseness(double size) {
+  return std::max(kLoose, kLooseRelative * size);
+}
+
+/// Cuts a range that goes a little beyond the formula's own, such as sqrt(r^2 - z^2) to a rounded
+/// r, back to where the formula has a value.
+void cutToFormula(ProfilePiece& piece, double size) {
+  const auto isValue = [&](double z) { return std::isfinite(piece.radius(z)); };
+  for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+    double out = piece.z[end];
+    double in = out + (end == 0 ? 1.0 : -1.0) * looseness(size);
+    if (isValue(out) || !isValue(in) || !(piece.z[0] < in) || !(in < piece.z[1])) {
+      continue;
+    }
+    const double inside = piece.radius(in);
+    constexpr int kBisections = 80;
+    for (int k = 0; k < kBisections; ++k) {
+      const double middle = 0.5 * (in + out);
+      (isValue(middle) ? in : out) = middle;
+    }
+    if (std::abs(piece.radius(in) - inside) > size) {
+      continue;  // a pole: there is no end to cut back to
+    }
+    piece.moved = std::max(piece.moved, std::abs(in - piece.z[end]));
+    piece.z[end] = in;
+    piece.cut[end] = true;
+  }
+}
+
 std::vector<ProfilePiece> profilePieces(const Section& section) {
   std::vector<ProfilePiece> pieces;
   const Value& radius = section.at("radius");
   if (!radius.isArray()) {
-    pieces.push_back(
-        {section.place() + ".radius", section.range("z"), section.formula("radius", {"z"})});
+    pieces.push_back({section.place() + ".radius",
+                      section.range("z"),
+                      section.formula("radius", {"z"}),
+                      {},
+                      0.0});
     return pieces;
   }
   for (std::size_t i = 0; i < radius.size(); ++i) {
     const std::string place = section.place() + ".radius[" + std::to_string(i) + "]";
     const Section piece(radius.asArray()[i], place, {"z", "radius"});
-    pieces.push_back({place, piece.range("z"), piece.formula("radius", {"z"})});
-    if (i > 0 && pieces[i].z[0] != pieces[i - 1].z[1]) {
-      piece.fail("must begin where the piece before it ends");
+    pieces.push_back({place, piece.range("z"), piece.formula("radius", {"z"}), {}, 0.0});
+    if (i > 0) {
+      const double apart = std::abs(pieces[i].z[0] - pieces[i - 1].z[1]);
+      if (apart > looseness(pieces[i].z[1] - pieces[0].z[0])) {
+        piece.fail(wcam::text("must begin where the piece before it ends, and not %1 mm from there",
+                              {formatFigure(apart)}));
+      }
+      pieces[i].z[0] = pieces[i - 1].z[1];
+      pieces[i].moved = apart;
     }
   }
   if (pieces.empty()) {
@@ -371,23 +418,30 @@ std::vector<ProfilePiece> profilePieces(const Section& section) {
 /// Place on the profile, with the axis met exactly; in the plane y = 0.
 Vec3 profilePoint(const ProfilePiece& piece, double z, double size) {
   const double r = piece.radius(z);
-  if (!(r >= -kOnAxis * size) || !std::isfinite(r)) {
-    throw Error(
-        ErrorCode::InputInvalid,
-        std::isfinite(r)
-            ? wcam::text("the radius is %1 at z = %2", {formatFixed(r, 6), formatFixed(z, 6)})
-            : wcam::text("the radius is not a number at z = %1", {formatFixed(z, 6)}),
-        piece.place, "the radius must not be negative");
+  if (!std::isfinite(r)) {
+    throw Error(ErrorCode::InputInvalid,
+                wcam::text("the formula has no value at z = %1", {formatFixed(z, 9)}), piece.place,
+                "look for a division by zero or the root of a negative number, and change the "
+                "formula or its range");
   }
-  return {r <= kOnAxis * size ? 0.0 : r, 0.0, z};
+  if (!(r >= -kOnAxis * size)) {
+    throw Error(ErrorCode::InputInvalid,
+                wcam::text("the radius is %1 at z = %2", {formatFixed(r, 6), formatFixed(z, 6)}),
+                piece.place, "the radius must not be negative");
+  }
+  const bool cut = (piece.cut[0] && z == piece.z[0]) || (piece.cut[1] && z == piece.z[1]);
+  return {r <= (cut ? kCutOnAxis : kOnAxis * size) ? 0.0 : r, 0.0, z};
 }
 
 FormulaShape readRevolution(const Value& value,
                             const std::string& place,
                             const JobContext& context) {
   const Section section(value, place, {"type", "radius", "z", "flip"});
-  const std::vector<ProfilePiece> pieces = profilePieces(section);
+  std::vector<ProfilePiece> pieces = profilePieces(section);
   double size = pieces.back().z[1] - pieces.front().z[0];
+  for (ProfilePiece& piece : pieces) {
+    cutToFormula(piece, size);
+  }
   for (const ProfilePiece& piece : pieces) {
     for (const double z : piece.z) {
       const double r = piece.radius(z);
@@ -402,7 +456,7 @@ FormulaShape readRevolution(const Value& value,
     const auto fitted =
         fitCurve([&](double s) { return profilePoint(piece, map.z(piece.z, s), size); }, size,
                  piece.place, context);
-    result.deviation = std::max(result.deviation, fitted.deviation);
+    result.deviation = std::max({result.deviation, fitted.deviation, piece.moved});
     // A jump of the radius becomes a flat ring, so that the surface stays in one piece.
     const gp_Pnt start = fitted.spline->StartPoint();
     if (&piece != &pieces.front() && start.Distance(last) > Precision::Confusion()) {

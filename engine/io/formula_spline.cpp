@@ -3,6 +3,7 @@
 #include "formula_spline.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/base/figure.hpp"
 #include "wcam/base/text.hpp"
 
 #include <Eigen/Dense>
@@ -35,7 +36,8 @@ bool nearEnough(double deviation, double size) {
   return deviation <= std::max(kNeededRelative * size, kNeeded);
 }
 
-/// Ends of a closed direction agree to this part of the size.
+/// Ends of a closed direction agree to this part of the size; up to what is accepted otherwise they
+/// are joined.
 constexpr double kClosed = 1e-9;
 /// Places inside an interval where function and spline are compared: the middle, where the error of
 /// an odd degree is largest, and one beside it.
@@ -147,8 +149,12 @@ public:
       throw Error(ErrorCode::InputInvalid, "the surface is a single point", place_,
                   "check the formulas");
     }
-    for (Eigen::MatrixXd& values : grid) {
-      close(values);
+    joined_ = 0.0;
+    if (closedU_) {
+      close(grid, true);
+    }
+    if (closedV_) {
+      close(grid, false);
     }
     const Eigen::PartialPivLU<Eigen::MatrixXd> alongU(collocation(u_[0], u_[1], nu));
     const Eigen::PartialPivLU<Eigen::MatrixXd> alongV(collocation(v_[0], v_[1], nv));
@@ -191,30 +197,52 @@ public:
 
   [[nodiscard]] double size() const { return size_; }
 
+  /// By how much ends of closed directions were moved, mm.
+  [[nodiscard]] double joined() const { return joined_; }
+
   [[nodiscard]] const Handle(Geom_BSplineSurface) & spline() const { return spline_; }
 
 private:
-  [[nodiscard]] Vec3 value(double u, double v) const {
+  [[nodiscard]] Vec3 at(double u, double v) const {
     return finite(function_(u, v), "u = " + formatFixed(u, 6) + ", v = " + formatFixed(v, 6),
                   place_);
   }
 
-  void close(Eigen::MatrixXd& values) const {
-    const auto differs = [&](const Eigen::VectorXd& gap, const char* name) {
-      if (gap.lpNorm<Eigen::Infinity>() > kClosed * size_) {
-        throw Error(ErrorCode::InputInvalid,
-                    text("the surface is not closed in %1: its ends are %2 mm apart",
-                         {name, formatFixed(gap.lpNorm<Eigen::Infinity>(), 9)}),
-                    place_, "correct the range, or do not declare it as closed");
-      }
-    };
+  /// The function, with the gap of a closed direction spread over its range.
+  [[nodiscard]] Vec3 value(double u, double v) const {
+    Vec3 p = at(u, v);
     if (closedU_) {
-      differs((values.row(0) - values.row(values.rows() - 1)).transpose(), "u");
-      values.row(values.rows() - 1) = values.row(0);
+      p -= (u - u_[0]) / (u_[1] - u_[0]) * (at(u_[1], v) - at(u_[0], v));
     }
     if (closedV_) {
-      differs(values.col(0) - values.col(values.cols() - 1), "v");
-      values.col(values.cols() - 1) = values.col(0);
+      p -= (v - v_[0]) / (v_[1] - v_[0]) * (at(u, v_[1]) - at(u, v_[0]));
+    }
+    return p;
+  }
+
+  /// Refuses a direction that does not close, and makes its ends equal to the last bit.
+  void close(std::array<Eigen::MatrixXd, 3>& grid, bool alongU) {
+    const Eigen::Index n = alongU ? grid[0].cols() : grid[0].rows();
+    const std::array<double, 2>& other = alongU ? v_ : u_;
+    double gap = 0.0;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double place = siteAt(other, static_cast<double>(k), static_cast<int>(n) - 1);
+      gap = std::max(gap, alongU ? (at(u_[1], place) - at(u_[0], place)).norm()
+                                 : (at(place, v_[1]) - at(place, v_[0])).norm());
+    }
+    if (gap > kClosed * size_ && !nearEnough(gap, size_)) {
+      throw Error(ErrorCode::InputInvalid,
+                  text("the surface is not closed in %1: its ends are %2 mm apart",
+                       {alongU ? "u" : "v", formatFigure(gap)}),
+                  place_, "correct the range, or do not declare it as closed");
+    }
+    joined_ = std::max(joined_, gap > kClosed * size_ ? gap : 0.0);
+    for (Eigen::MatrixXd& values : grid) {
+      if (alongU) {
+        values.row(values.rows() - 1) = values.row(0);
+      } else {
+        values.col(values.cols() - 1) = values.col(0);
+      }
     }
   }
 
@@ -234,6 +262,7 @@ private:
   bool closedV_;
   const std::string& place_;
   double size_ = 0.0;
+  double joined_ = 0.0;
   int nu_ = 0;
   int nv_ = 0;
   Handle(Geom_BSplineSurface) spline_;
@@ -268,7 +297,7 @@ Fitted<Geom_BSplineSurface> fitSurface(const SurfaceFunction& function,
   if (!nearEnough(deviation, fit.size())) {
     notSmooth(place, deviation);
   }
-  return {fit.spline(), deviation};
+  return {fit.spline(), std::max(deviation, fit.joined())};
 }
 
 Fitted<Geom_BSplineCurve> fitCurve(const CurveFunction& function,

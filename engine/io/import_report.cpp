@@ -85,6 +85,18 @@ void measureAreaAndVolume(const PartSurface& surface, ImportReport& report) {
   }
 }
 
+/// Whether the borders are only edges along which closed bodies touch.
+bool onlyTouches(const PartSurface& surface) {
+  const auto& edges = surface.halfEdges.nonManifoldEdges();
+  for (std::uint32_t h = 0; h < 3 * surface.mesh.triangles.size(); ++h) {
+    if (surface.halfEdges.twin(h) == geometry::HalfEdges::kNone &&
+        std::find(edges.begin(), edges.end(), surface.halfEdges.edgeOf(h)) == edges.end()) {
+      return false;
+    }
+  }
+  return !edges.empty();
+}
+
 void addOpenFinding(const ImportReport& report, const JobContext& context) {
   const auto longest = std::max_element(
       report.borders.begin(), report.borders.end(),
@@ -218,7 +230,7 @@ void measure(const PartSurface& surface, ImportReport& report, const JobContext&
   if (report.nonManifoldEdges > 0) {
     addNonManifoldFinding(surface, report, context);
   }
-  if (!report.borders.empty()) {
+  if (!report.borders.empty() && !onlyTouches(surface)) {
     addOpenFinding(report, context);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wcam/base/error.hpp"
+#include "wcam/base/figure.hpp"
 #include "wcam/base/json.hpp"
 #include "wcam/base/parallel.hpp"
 #include "wcam/base/plausible.hpp"
@@ -271,7 +272,7 @@ private:
       const Text message =
           stitched_ > 0
               ? text("%1 equal points were joined, %2 of them on borders up to %3 mm apart",
-                     {count(report_.weldedVertices), count(stitched_), formatReal(tolerance_)})
+                     {count(report_.weldedVertices), count(stitched_), formatFigure(tolerance_)})
               : text("%1 equal points were joined", {count(report_.weldedVertices)});
       context_.add({Severity::Information,
                     "import.welded",

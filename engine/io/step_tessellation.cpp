@@ -131,14 +131,34 @@ private:
       raw_.millimetresPerUnit = scale;
     }
     scale_ = scale / raw_.millimetresPerUnit;
+    const std::string product = productName();
     for (const std::uint64_t item : items) {
       context_.check();
       const std::size_t before = raw_.mesh.triangles.size();
       const std::string name = addItem(item, 0);
       if (raw_.mesh.triangles.size() > before) {
-        raw_.bodies.push_back({name, "mesh", {}, 0});
+        raw_.bodies.push_back({name.empty() ? product : name, "mesh", {}, 0});
       }
     }
+  }
+
+  /// Name of the file's product, or its id; empty where there are several.
+  [[nodiscard]] std::string productName() const {
+    std::string found;
+    for (const auto& [number, entity] : entities_) {
+      StepCursor cursor(entity);
+      if (cursor.keyword() != "PRODUCT" || !cursor.take('(')) {
+        continue;
+      }
+      const std::string id = printableName(cursor.string().value_or(std::string_view()));
+      cursor.take(',');
+      const std::string name = printableName(cursor.string().value_or(std::string_view()));
+      if (!found.empty()) {
+        return {};
+      }
+      found = name.empty() ? id : name;
+    }
+    return found;
   }
 
   std::vector<std::uint64_t> references(std::uint64_t number, StepCursor& cursor) const {
@@ -184,8 +204,8 @@ private:
     } else if (kind == "TRIANGULATED_FACE" || kind == "TRIANGULATED_SURFACE_SET" ||
                kind == "COMPLEX_TRIANGULATED_FACE" || kind == "COMPLEX_TRIANGULATED_SURFACE_SET") {
       face(number, cursor, kind.ends_with("FACE"), kind.starts_with("COMPLEX"));
-    } else {
-      ++leftOut_;
+    } else if (!kind.starts_with("AXIS2_PLACEMENT")) {
+      ++leftOut_;  // a placement of the representation is no geometry
     }
     return name;
   }

@@ -35,6 +35,14 @@ public:
     throw Error(ErrorCode::JobFailed, message, place_, hint);
   }
 
+  /// What a component refuses in its own words needs no other name than the component's. A place or
+  /// a setting that cannot work is a check of the result, anything else a failed job.
+  [[nodiscard]] Error own(const Error& error) const {
+    return {error.code() == ErrorCode::CheckFailed ? ErrorCode::CheckFailed : ErrorCode::JobFailed,
+            error.whatText(), error.context().empty() ? Text(component_) : Text(),
+            error.hintText()};
+  }
+
   /// Runs a call into the plugin. A cancel passes only when it was asked for.
   template <class Call>
   auto run(const JobContext& context, const Call& call) const {
@@ -48,10 +56,9 @@ public:
       fail("stopped as if it were cancelled, but nobody asked for it",
            "report this to the vendor of the plugin");
     } catch (const RemediedError& error) {
-      throw RemediedError(Error(ErrorCode::JobFailed, error.whatText(), place_, error.hintText()),
-                          error.settings());
+      throw RemediedError(own(error), error.settings());
     } catch (const Error& error) {
-      fail(error.whatText(), error.hintText());
+      throw own(error);
     } catch (const std::bad_alloc&) {
       throw;  // the part is too large, which is not the plugin's fault
     } catch (...) {

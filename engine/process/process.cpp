@@ -80,10 +80,11 @@ const Schema<ProcessParams>& ProcessParams::schema() {
           .add(&ProcessParams::wireSpeedMin,
                {.key = "wire_speed_min",
                 .label = "Minimum wire feed speed",
-                .help = "Beads side by side need less material than single ones. Where even the "
-                        "maximum travel speed deposits too much, the wire feed of the whole "
-                        "operation is lowered, but not below this value. Set it to the wire feed "
-                        "speed to keep the feed as it is.",
+                .help =
+                    "Where even the maximum travel speed deposits too much, as in thin layers or "
+                    "in beads side by side, the wire feed of the whole operation is lowered, "
+                    "but not below this value. Set it to the wire feed speed to keep the feed "
+                    "as it is.",
                 .group = "Wire",
                 .level = ParamLevel::Advanced,
                 .min = 0.0,
@@ -295,8 +296,8 @@ namespace {
 
 constexpr double kMetrePerMinute = 1000.0 / 60.0;  // in mm/s
 
-/// A move that the plan alone decides, beside other beads.
-struct FilledMove {
+/// A move that the plan alone decides.
+struct PlannedMove {
   double section = 0.0;  ///< mm²
   double length = 0.0;   ///< mm
 };
@@ -306,8 +307,8 @@ void reportLowered(double lowered, const ProcessParams& params, const JobContext
   context.add(
       {Severity::Warning,
        "process.wire_lowered",
-       text("beads side by side need less material than single ones: at the maximum travel speed "
-            "of %1 mm/s the wire feed of %2 m/min would deposit too much, and %3 m/min is used",
+       text("at the maximum travel speed of %1 mm/s the wire feed of %2 m/min would deposit too "
+            "much, and %3 m/min is used",
             {formatFixed(params.speedMax.value(), 2),
              formatFixed(params.wireSpeed.value() / kMetrePerMinute, 2), shown}),
        text("set wire_speed to %1 m/min, with the job of the welding source for it", {shown}),
@@ -318,7 +319,7 @@ void reportLowered(double lowered, const ProcessParams& params, const JobContext
 }  // namespace
 
 double operationWireSpeed(const toolpath::Toolpath& path, const ProcessParams& params) {
-  std::vector<FilledMove> moves;
+  std::vector<PlannedMove> moves;
   double wanted = 0.0;
   for (const toolpath::Layer& layer : path.layers) {
     for (const toolpath::Bead& bead : layer.beads) {
@@ -327,9 +328,12 @@ double operationWireSpeed(const toolpath::Toolpath& path, const ProcessParams& p
         if (!point.arc) {
           continue;
         }
-        const FilledMove move{beadSection(point), (point.p - bead.points[i - 1].p).norm()};
+        const double width = point.width > 0.0 ? point.width : params.beadWidth.value();
+        const double section = point.fillWidth > 0.0 ? point.fillWidth * point.height
+                                                     : wallSection(point.height, width);
+        const PlannedMove move{section, (point.p - bead.points[i - 1].p).norm()};
         wanted += move.section * move.length;
-        if (point.fillWidth > 0.0 && point.change.section == toolpath::SectionRule::Plan) {
+        if (point.change.section == toolpath::SectionRule::Plan) {
           moves.push_back(move);
         }
       }
@@ -339,7 +343,7 @@ double operationWireSpeed(const toolpath::Toolpath& path, const ProcessParams& p
   const auto excess = [&](double wire) {
     const double least = wireArea(params) * wire / params.speedMax.value();
     double sum = 0.0;
-    for (const FilledMove& move : moves) {
+    for (const PlannedMove& move : moves) {
       sum += std::max(0.0, least - move.section) * move.length;
     }
     return sum;
@@ -349,12 +353,35 @@ double operationWireSpeed(const toolpath::Toolpath& path, const ProcessParams& p
   if (moves.empty() || excess(high) <= kBearable * wanted) {
     return high;
   }
+  /// Material that is missing at the minimum travel speed, mm³.
+  const auto shortage = [&](double wire) {
+    const double most = wireArea(params) * wire / params.speedMin.value();
+    double sum = 0.0;
+    for (const PlannedMove& move : moves) {
+      sum += std::max(0.0, move.section - most) * move.length;
+    }
+    return sum;
+  };
   double low = std::min(params.wireSpeedMin.value(), high);
+  // Where thick places would lose more than thin ones gain, the feed stays above.
+  double below = low;
+  double above = high;
+  constexpr int kThirds = 100;
+  for (int i = 0; i < kThirds; ++i) {
+    const double third = (above - below) / 3.0;
+    const auto wrong = [&](double wire) { return excess(wire) + shortage(wire); };
+    if (wrong(below + third) < wrong(above - third)) {
+      above -= third;
+    } else {
+      below += third;
+    }
+  }
   constexpr int kBisections = 60;  // down to rounding
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (low + high);
     (excess(middle) <= kBearable * wanted ? low : high) = middle;
   }
+  low = std::max(low, above);
   // What is shown is what is used.
   constexpr double kShown = 0.01 * kMetrePerMinute;
   return std::max(std::min(params.wireSpeedMin.value(), low), std::floor(low / kShown) * kShown);

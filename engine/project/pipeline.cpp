@@ -28,12 +28,12 @@ namespace wcam::project {
 namespace {
 
 // Raise the version of a stage when the same input gives another result.
-constexpr int kPartVersion = 2;
+constexpr int kPartVersion = 3;
 constexpr int kSubstrateVersion = 1;
-constexpr int kSliceVersion = 5;
-constexpr int kPathVersion = 3;
+constexpr int kSliceVersion = 6;
+constexpr int kPathVersion = 4;
 constexpr int kEditsVersion = 3;
-constexpr int kProcessVersion = 3;
+constexpr int kProcessVersion = 4;
 constexpr int kCellVersion = 3;
 constexpr int kMotionVersion = 6;
 constexpr int kProgramVersion = 3;

@@ -40,7 +40,7 @@ public:
           .layers.at(0)
           .contours;
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::JobFailed) {
+      if (error.code() != ErrorCode::JobFailed && error.code() != ErrorCode::CheckFailed) {
         throw;
       }
       return {};

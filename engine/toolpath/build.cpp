@@ -25,6 +25,9 @@ namespace {
 
 /// A point nearer to the substrate than this part of the layer height lies on it.
 constexpr double kOnSubstrate = 1e-6;
+/// A bead of which all points are nearer than this part lies on it too: what is between is the
+/// noise of the part's file.
+constexpr double kBeadOnSubstrate = 0.01;
 
 Bead makeBead(const Contour& contour, const SlicedLayer& layer, bool reversed) {
   Bead bead;
@@ -140,15 +143,24 @@ std::vector<Support> setDistances(Layer& layer,
   }
   const std::vector<double> toLayer = layerDistance(points, below);
   // A layer on the substrate itself has no height of its own: the wanted one holds.
-  const double onSubstrate = kOnSubstrate * sliced.nominalHeight;
+  std::vector<double> onSubstrate;
+  for (const Bead& bead : layer.beads) {
+    const bool lies = substrate != nullptr &&
+                      std::all_of(bead.points.begin(), bead.points.end(), [&](const PathPoint& p) {
+                        return std::abs(substrate->nearest(p.p).distance) <=
+                               kBeadOnSubstrate * sliced.nominalHeight;
+                      });
+    onSubstrate.insert(onSubstrate.end(), bead.points.size(),
+                       (lies ? kBeadOnSubstrate : kOnSubstrate) * sliced.nominalHeight);
+  }
   constexpr std::size_t kGrain = 512;
   parallelFor(own.size(), kGrain, [&](std::size_t i) {
     PathPoint& point = *own[i];
     const double toPath = std::min(toLayer[i], supports[i].distance);
-    supports[i] = substrate != nullptr ? supportOf(point, toPath, *substrate, onSubstrate)
+    supports[i] = substrate != nullptr ? supportOf(point, toPath, *substrate, onSubstrate[i])
                                        : Support{toPath, false};
     const double nearest = supports[i].distance;
-    const bool known = std::isfinite(nearest) && nearest > onSubstrate;
+    const bool known = std::isfinite(nearest) && nearest > onSubstrate[i];
     const double unknown = point.height > 0.0 ? point.height : sliced.nominalHeight;
     point.distance = known ? nearest : unknown;
     point.height = point.height > 0.0 ? point.height : point.distance;
@@ -241,6 +253,8 @@ public:
         }
         const Vec3 p = T_substrate_part_ * point.p;
         const double excess = std::max(std::abs(p.x()) - half_.x(), std::abs(p.y()) - half_.y());
+        low_ = low_.cwiseMin(p);
+        high_ = high_.cwiseMax(p);
         outside_ += excess > 0.0 ? 1U : 0U;
         if (excess > farthest_) {
           farthest_ = excess;
@@ -263,12 +277,30 @@ public:
                             : "%1 points that should lie on the plate lie beside it, by up "
                               "to %2 mm",
               {std::to_string(outside_), formatFixed(farthest_, 1)}),
-         "move the part or choose a larger plate",
+         remedy(),
          {{}, layer_, -1, -1},
          {{"points", static_cast<double>(outside_)}, {"excess_mm", farthest_}}});
   }
 
 private:
+  /// The move along the plate that takes all beads onto it, or the plate that would hold them.
+  [[nodiscard]] Text remedy() const {
+    const Vec3 size = high_ - low_ + Vec3(width_, width_, 0.0);
+    if (size.x() > 2.0 * half_.x() || size.y() > 2.0 * half_.y()) {
+      return text("choose a plate of %1 by %2 mm or more, and place the part on it",
+                  {formatFixed(std::ceil(size.x()), 0), formatFixed(std::ceil(size.y()), 0)});
+    }
+    Vec3 move = Vec3::Zero();
+    for (int axis = 0; axis < 2; ++axis) {
+      const double least = -half_[axis] + 0.5 * width_ - low_[axis];
+      const double most = half_[axis] - 0.5 * width_ - high_[axis];
+      move[axis] = std::clamp(0.0, least, most);
+    }
+    move = substrate_.pose().linear() * move;
+    return text("move the part by (%1, %2, %3) mm, or choose a larger plate",
+                {formatFixed(move.x(), 2), formatFixed(move.y(), 2), formatFixed(move.z(), 2)});
+  }
+
   const Substrate& substrate_;
   geometry::Pose T_substrate_part_;
   Vec3 half_;
@@ -276,6 +308,9 @@ private:
   std::size_t outside_ = 0;
   double farthest_ = 0.0;
   int layer_ = 0;
+  /// Beads on the plate's plane, in its frame.
+  Vec3 low_ = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high_ = Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
 }  // namespace

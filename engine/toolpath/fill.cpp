@@ -28,6 +28,8 @@ constexpr double kAxisTolerance = 0.02;
 /// A narrow place is found by growing insets back; what rounding leaves is thinner than this part
 /// of the spacing.
 constexpr double kRounding = 1e-3;
+/// An inset thinner than this part of the spacing is a sliver.
+constexpr double kSliver = 0.05;
 /// Longest bridge between zigzag cells that are joined, in spacings.
 constexpr double kReach = 2.5;
 /// Strokes for the coverage are round within this part of the bead's width.
@@ -97,24 +99,39 @@ private:
 
   void parallel() {
     const std::size_t limit = contourLimit();
-    const std::vector<Region2> loops =
-        geometry::nestedInsets(region_, first_, spacing_, limit, offset_);
+    std::vector<Region2> loops = geometry::nestedInsets(region_, first_, spacing_, limit, offset_);
+    for (Region2& level : loops) {
+      level = withoutSlivers(level);
+    }
     const bool hatched = isHatched(o_.pattern);
     const std::vector<Region2> cells = geometry::nestedInsets(
         region_, first_ - 0.5 * spacing_, spacing_,
         hatched && limit < std::numeric_limits<std::size_t>::max() ? limit + 1 : limit, offset_);
-    layContours(loops);
+    const bool hatching = hatched && loops.size() == limit && cells.size() > limit;
+    layContours(loops, hatching);
     for (std::size_t k = 0; k < cells.size() && k < limit; ++k) {
       fillNarrow(cells[k], k < loops.size() ? loops[k] : Region2{}, static_cast<int>(k));
     }
-    if (hatched && loops.size() == limit && cells.size() > limit) {
+    if (hatching) {
       hatch(loops, cells[limit], static_cast<int>(limit));
     }
   }
 
-  void layContours(const std::vector<Region2>& loops) {
+  /// Where the section is as wide as a bead, insets are slivers around which a contour would run
+  /// back along itself: one bead along the middle fills that place.
+  [[nodiscard]] Region2 withoutSlivers(const Region2& loops) const {
+    Region2 kept;
+    for (const Region2& island : geometry::islandsOf(loops)) {
+      if (2.0 * island.area() > kSliver * spacing_ * island.perimeter()) {
+        kept.loops.insert(kept.loops.end(), island.loops.begin(), island.loops.end());
+      }
+    }
+    return kept.loops.size() == loops.loops.size() ? loops : kept;
+  }
+
+  void layContours(const std::vector<Region2>& loops, bool hatching) {
     const auto walls = static_cast<std::size_t>(o_.walls);
-    if (o_.pattern == FillPattern::Continuous) {
+    if (o_.pattern == FillPattern::Continuous && hatching) {
       return;  // joined with the hatching
     }
     for (std::size_t k = 0; k < loops.size(); ++k) {

@@ -21,6 +21,11 @@ namespace {
 constexpr double kPiece = 0.25;       ///< longest piece of a bead with one ray to each side
 constexpr double kSimplified = 0.01;  ///< what centre lines and borders may lose
 constexpr double kFoot = 1e-4;        ///< to which a ray's end is found
+/// What lies around the end of a bead is laid on its last width: there it may hold so many maximum
+/// widths.
+constexpr double kMostAtEnds = 3.0;
+/// How far the room of a bead's end may reach, in half widths: into the corners of a square end.
+const double kEndReach = std::sqrt(2.0);
 /// Widest angle between the rays that share what lies outside a corner or around an end, rad.
 constexpr double kFan = kPi / 12.0;
 
@@ -41,11 +46,7 @@ Vec2 leftOf(const Vec2& u) {
   return {-u.y(), u.x()};
 }
 
-/// Area beside a place of a bead.
-struct Share {
-  double s = 0.0;
-  double area = 0.0;
-};
+using Share = RoomShare;
 
 /// A ray from a bead to where its room ends.
 struct Ray {
@@ -91,8 +92,11 @@ public:
     const double own = bead.widths.empty()
                            ? options_.width
                            : *std::max_element(bead.widths.begin(), bead.widths.end());
-    return smoothed(sharesOf(line, bead.closed, own), length,
-                    geometry::polylineLength(bead.points, bead.closed), bead.closed);
+    return averagedRoom(
+        sharesOf(line, bead.closed, own),
+        {length, geometry::polylineLength(bead.points, bead.closed), kPiece * options_.width,
+         options_.width, bead.closed},
+        {options_.overlap * options_.minWidth, options_.maxWidth, kMostAtEnds * options_.maxWidth});
   }
 
 private:
@@ -105,9 +109,9 @@ private:
       const std::size_t n = line.size();
       const Vec2 first = (line[1] - line[0]).normalized();
       const Vec2 last = (line[n - 1] - line[n - 2]).normalized();
-      shares.push_back({0.0, fan(line.front(), leftOf(first), kPi, own)});
-      shares.push_back(
-          {geometry::polylineLength(line, false), fan(line.back(), -leftOf(last), kPi, own)});
+      shares.push_back({0.0, fan(line.front(), leftOf(first), kPi, kEndReach * own, kEndReach)});
+      shares.push_back({geometry::polylineLength(line, false),
+                        fan(line.back(), -leftOf(last), kPi, kEndReach * own, kEndReach)});
     }
     return shares;
   }
@@ -172,12 +176,14 @@ private:
     }
   }
 
-  [[nodiscard]] double fan(const Vec2& p, const Vec2& from, double angle, double own) const {
+  /// @param farther how much farther than to its sides a bead may reach
+  [[nodiscard]] double fan(
+      const Vec2& p, const Vec2& from, double angle, double own, double farther = 1.0) const {
     const auto rays = static_cast<int>(std::ceil(std::abs(angle) / kFan));
     double area = 0.0;
     for (int k = 0; k < rays; ++k) {
       const double turned = angle * (k + 0.5) / rays;
-      const double reach = ray(p, Eigen::Rotation2Dd(turned) * from, own);
+      const double reach = ray(p, Eigen::Rotation2Dd(turned) * from, own, 0.0, farther);
       area += 0.5 * reach * reach * std::abs(angle) / rays;
     }
     return area;
@@ -188,11 +194,13 @@ private:
   /// to the border.
   /// @param half inside a corner, along its bisector: half the angle by which the bead turns there;
   /// the ball then touches both of its sides
-  [[nodiscard]] double ray(const Vec2& p, const Vec2& n, double own, double half = 0.0) const {
+  /// @param farther as in fan()
+  [[nodiscard]] double ray(
+      const Vec2& p, const Vec2& n, double own, double half = 0.0, double farther = 1.0) const {
     const double foot = kFoot * options_.width;
     const double near = std::cos(half);
     const double sine2 = 1.0 - near * near;
-    double reach = 0.5 * std::max(own, options_.maxWidth) / std::max(near, kFoot);
+    double reach = 0.5 * std::max(own, farther * options_.maxWidth) / std::max(near, kFoot);
     constexpr int kShrinks = 32;
     for (int k = 0; k < kShrinks; ++k) {
       const auto nearest = tree_.nearestWithin(inSpace(p + reach * n), near * reach - foot);
@@ -232,46 +240,6 @@ private:
     return std::min(way, atMost);
   }
 
-  /// Averages over a bead width with triangular weights. The whole area is kept: what would go
-  /// beyond an end comes back from it.
-  [[nodiscard]] FillRoom smoothed(const std::vector<Share>& shares,
-                                  double length,
-                                  double fullLength,
-                                  bool closed) const {
-    const auto pieces =
-        static_cast<long>(std::max(1.0, std::ceil(length / (kPiece * options_.width) - kFoot)));
-    const double piece = length / static_cast<double>(pieces);
-    const double reach = std::max(options_.width, piece);
-    const auto half = static_cast<long>(std::ceil(reach / piece));
-    const auto inside = [&](long k) {
-      if (closed) {
-        return (k % pieces + pieces) % pieces;
-      }
-      const long folded = (k % (2 * pieces) + 2 * pieces) % (2 * pieces);
-      return folded < pieces ? folded : 2 * pieces - 1 - folded;
-    };
-    std::vector<double> area(static_cast<std::size_t>(pieces), 0.0);
-    for (const Share& share : shares) {
-      const auto here = static_cast<long>(share.s / piece);
-      const auto weight = [&](long k) {
-        return std::max(0.0,
-                        1.0 - std::abs(share.s - (static_cast<double>(k) + 0.5) * piece) / reach);
-      };
-      double sum = 0.0;
-      for (long k = here - half; k <= here + half; ++k) {
-        sum += weight(k);
-      }
-      for (long k = here - half; k <= here + half; ++k) {
-        area[static_cast<std::size_t>(inside(k))] += share.area * weight(k) / sum;
-      }
-    }
-    const double narrowest = options_.overlap * options_.minWidth;
-    for (double& width : area) {
-      width = std::clamp(width / piece, narrowest, options_.maxWidth);
-    }
-    return {std::move(area), fullLength, closed};
-  }
-
   Region2 region_;
   const FillOptions& options_;
   double height_;
@@ -306,6 +274,45 @@ double FillRoom::area() const {
     sum += width;
   }
   return widths_.empty() ? 0.0 : sum * length_ / static_cast<double>(widths_.size());
+}
+
+FillRoom averagedRoom(const std::vector<RoomShare>& shares,
+                      const RoomAverage& average,
+                      const RoomBounds& bounds) {
+  const double length = average.length;
+  const auto pieces = static_cast<long>(std::max(1.0, std::ceil(length / average.piece - kFoot)));
+  const double piece = length / static_cast<double>(pieces);
+  const double reach = std::max(average.reach, piece);
+  const auto half = static_cast<long>(std::ceil(reach / piece));
+  const auto inside = [&](long k) {
+    if (average.closed) {
+      return (k % pieces + pieces) % pieces;
+    }
+    const long folded = (k % (2 * pieces) + 2 * pieces) % (2 * pieces);
+    return folded < pieces ? folded : 2 * pieces - 1 - folded;
+  };
+  std::vector<double> area(static_cast<std::size_t>(pieces), 0.0);
+  for (const RoomShare& share : shares) {
+    const auto here = static_cast<long>(share.s / piece);
+    const auto weight = [&](long k) {
+      return std::max(0.0,
+                      1.0 - std::abs(share.s - (static_cast<double>(k) + 0.5) * piece) / reach);
+    };
+    double sum = 0.0;
+    for (long k = here - half; k <= here + half; ++k) {
+      sum += weight(k);
+    }
+    for (long k = here - half; k <= here + half; ++k) {
+      area[static_cast<std::size_t>(inside(k))] += share.area * weight(k) / sum;
+    }
+  }
+  for (long k = 0; k < pieces; ++k) {
+    const double toEnd = piece * static_cast<double>(std::min(k, pieces - 1 - k));
+    const bool end = !average.closed && toEnd <= reach;
+    double& width = area[static_cast<std::size_t>(k)];
+    width = std::clamp(width / piece, bounds.least, end ? bounds.mostAtEnds : bounds.most);
+  }
+  return {std::move(area), average.fullLength, average.closed};
 }
 
 std::vector<FillRoom> shareRoom(const Region2& region,

@@ -54,7 +54,7 @@ HeightLevels heightLevels(const std::vector<std::shared_ptr<const geometry::Part
     flat = ends ? std::max(flat, top) : flat;
   }
   if (!(most > 0.0)) {
-    throw Error(ErrorCode::JobFailed, "the whole part lies below the substrate", "slicing",
+    throw Error(ErrorCode::CheckFailed, "the whole part lies below the substrate", "slicing",
                 "raise the part or lower the substrate");
   }
   if (wish.last == LastLayer::Fit && flat > 0.0) {

@@ -28,6 +28,8 @@ constexpr double kPiece = 0.5;
 /// steps, is left out on purpose: by an end height, or as the rest that has a finding of its own.
 constexpr double kAbove = 0.5;
 constexpr double kBeyond = 1.5;
+/// A top of a solid that is nearer to the substrate than so many steps is no layer.
+constexpr double kThin = 0.25;
 /// Uncovered faces below this part of the part's surface are the rounding of corners.
 constexpr double kLeastShare = 1e-3;
 /// Cosine between a face's normal and the direction of growth from which on the face is level.
@@ -88,7 +90,8 @@ public:
     return curved_ || std::abs(normal.dot(lastUp_)) > kLevel;
   }
 
-  [[nodiscard]] Uncovered of(const std::array<Vec3, 3>& corners) const {
+  /// @param top of a solid: no layer that is still to come covers it
+  [[nodiscard]] Uncovered of(const std::array<Vec3, 3>& corners, bool top) const {
     const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
     double radius = 0.0;
     for (const Vec3& corner : corners) {
@@ -100,7 +103,7 @@ public:
     }
     Uncovered result;
     if (radius <= kPiece * reach_) {
-      if (distance > reach_ && counts(centre)) {
+      if (distance > reach_ && counts(centre, top)) {
         result.area = 0.5 * (corners[1] - corners[0]).cross(Vec3(corners[2] - corners[0])).norm();
         result.distance = all_.distance(centre);
         result.place = centre;
@@ -110,17 +113,17 @@ public:
     const std::array<Vec3, 3> middle{0.5 * (corners[0] + corners[1]),
                                      0.5 * (corners[1] + corners[2]),
                                      0.5 * (corners[2] + corners[0])};
-    result.add(of({corners[0], middle[0], middle[2]}));
-    result.add(of({corners[1], middle[1], middle[0]}));
-    result.add(of({corners[2], middle[2], middle[1]}));
-    result.add(of(middle));
+    result.add(of({corners[0], middle[0], middle[2]}, top));
+    result.add(of({corners[1], middle[1], middle[0]}, top));
+    result.add(of({corners[2], middle[2], middle[1]}, top));
+    result.add(of(middle, top));
     return result;
   }
 
 private:
   /// False for what lies on or below the substrate or beyond the last layer.
-  [[nodiscard]] bool counts(const Vec3& p) const {
-    if (substrate_.heightAbove(p) <= step_) {
+  [[nodiscard]] bool counts(const Vec3& p, bool top) const {
+    if (substrate_.heightAbove(p) <= (top ? kThin * step_ : step_)) {
       return false;
     }
     const Vec3 beyond = p - last_.nearest(p);
@@ -139,13 +142,18 @@ private:
 /// What covers faces that these layers leave out.
 Text remedyFor(const SlicedLayers& sliced, bool closed) {
   bool filled = false;
+  bool inset = false;
   for (const SlicedLayer& layer : sliced.layers) {
     for (const Contour& contour : layer.contours) {
       filled = filled || contour.feature == BeadFeature::Fill;
+      inset = inset || contour.feature == BeadFeature::Inset;
     }
   }
   if (filled) {
-    return "a smaller step or a narrower bead covers more of slanted faces";
+    return "a smaller step, a narrower bead or a smaller maximum width (max_width) covers more";
+  }
+  if (inset) {
+    return "choose a pattern that fills the inside (pattern), or more walls";
   }
   if (closed) {
     return "fill the layers of a solid: strategy 'Filled planar layers' (wcam.slicing.bulk)";
@@ -174,7 +182,8 @@ void reportUncovered(const SlicedLayers& sliced,
                                             mesh.vertices[c[2]]};
           areas[t] = 0.5 * (corners[1] - corners[0]).cross(Vec3(corners[2] - corners[0])).norm();
           if (coverage.mayMiss(mesh.normal(t))) {
-            found[t] = coverage.of(corners);
+            found[t] = coverage.of(corners, parts[k]->halfEdges.closed() &&
+                                                mesh.normal(t).dot(substrate.up()) > kLevel);
           }
         },
         context);
@@ -204,6 +213,19 @@ void reportUncovered(const SlicedLayers& sliced,
           {"y_mm", sum.place.y()},
           {"z_mm", sum.place.z()}}});
   }
+}
+
+/// Moves of a part are those of its frame: on a tilted plate the height alone does not say them.
+Text moveText(bool raise, double height, const Substrate& substrate) {
+  const double whole = std::ceil(1e3 * height) / 1e3;
+  constexpr double kTilted = 1e-6;
+  if ((substrate.up() - Vec3::UnitZ()).norm() <= kTilted) {
+    return raise ? text("raise the part by %1 mm", {formatFixed(whole, 3)})
+                 : text("lower the part by %1 mm", {formatFixed(height, 3)});
+  }
+  const Vec3 move = (raise ? whole : -height) * substrate.up();
+  return text("move the part by (%1, %2, %3) mm, along the plate's normal",
+              {formatFixed(move.x(), 3), formatFixed(move.y(), 3), formatFixed(move.z(), 3)});
 }
 
 /// Layers around an axis may run on through the plate.
@@ -238,9 +260,8 @@ void reportInside(const SlicedLayers& sliced,
          text("beads lie up to %1 mm inside the plate, deepest at (%2, %3, %4)",
               {formatFixed(deepest, 3), formatFixed(place.x(), 1), formatFixed(place.y(), 1),
                formatFixed(place.z(), 1)}),
-         text("raise the part by %1 mm along the build direction, or choose a strategy "
-              "whose layers begin at the plate",
-              {formatFixed(std::ceil(1e3 * deepest) / 1e3, 3)}),
+         text("%1, or choose a strategy whose layers begin at the plate",
+              {moveText(true, deepest, substrate)}),
          {},
          {{"depth_mm", deepest}, {"x_mm", place.x()}, {"y_mm", place.y()}, {"z_mm", place.z()}}});
   }
@@ -275,11 +296,54 @@ void reportBelow(const SlicedLayers& sliced,
          text(plate ? "part %1 reaches %2 mm below the plate; what lies there gets no layers"
                     : "part %1 reaches %2 mm into the substrate; what lies there gets no layers",
               {std::to_string(k + 1), formatFixed(leftOut, 3)}),
-         plate ? text("raise the part by %1 mm, so that it stands on the plate",
-                      {formatFixed(std::ceil(1e3 * leftOut) / 1e3, 3)})
+         plate ? text("%1, so that it stands on the plate", {moveText(true, leftOut, substrate)})
                : Text(),
          {},
          {{"depth_mm", leftOut}}});
+  }
+}
+
+/// A part that stands neither on the plate nor on another part: its first layer would have to fill
+/// what is between.
+void reportFloating(const SlicedLayers& sliced,
+                    const std::vector<std::shared_ptr<const PartSurface>>& parts,
+                    const Substrate& substrate,
+                    const JobContext& context) {
+  if (!substrate.isPlate() || !sliced.onSubstrate) {
+    return;
+  }
+  // Less than this part of a layer is no gap.
+  constexpr double kGap = 0.02;
+  const geometry::Pose T_plate_part = substrate.pose().inverse();
+  std::vector<geometry::Box> boxes;
+  for (const auto& part : parts) {
+    geometry::Box& box = boxes.emplace_back();
+    for (const Vec3& v : part->mesh.vertices) {
+      box.add(T_plate_part * v);
+    }
+  }
+  double step = 0.0;
+  for (const SlicedLayer& layer : sliced.layers) {
+    step = std::max(step, layer.nominalHeight);
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double gap = boxes[k].min.z();
+    const bool stands = std::any_of(boxes.begin(), boxes.end(), [&](const geometry::Box& other) {
+      return other.min.z() < gap && other.min.x() < boxes[k].max.x() &&
+             other.min.y() < boxes[k].max.y() && other.max.x() > boxes[k].min.x() &&
+             other.max.y() > boxes[k].min.y();
+    });
+    if (stands ||
+        !(gap > std::max(kGap * step, kOnPlate * geometry::flatTolerance(parts[k]->mesh)))) {
+      continue;
+    }
+    context.add({Severity::Warning,
+                 "slicing.floating",
+                 text("part %1 floats %2 mm above the plate; its first layer fills what is between",
+                      {std::to_string(k + 1), formatFixed(gap, 3)}),
+                 text("%1, so that it stands on the plate", {moveText(false, gap, substrate)}),
+                 {},
+                 {{"gap_mm", gap}}});
   }
 }
 
@@ -306,6 +370,7 @@ void reportLeftOut(const SlicedLayers& sliced,
   }
   reportInside(sliced, substrate, tolerance, context);
   reportBelow(sliced, parts, substrate, context);
+  reportFloating(sliced, parts, substrate, context);
   reportUncovered(sliced, parts, substrate, bead, context);
 }
 

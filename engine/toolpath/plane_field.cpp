@@ -115,7 +115,7 @@ PlaneStack planeStack(const std::vector<std::shared_ptr<const geometry::PartSurf
   }
   const Extent extent = extentAboveSubstrate(parts, substrate, stack.up);
   if (!(extent.low <= extent.high)) {
-    throw Error(ErrorCode::JobFailed, "the whole part lies below the substrate", "planar slicing",
+    throw Error(ErrorCode::CheckFailed, "the whole part lies below the substrate", "planar slicing",
                 "raise the part or lower the substrate");
   }
   const bool fromPlate = substrate.isPlate() && !options.direction;

@@ -23,6 +23,10 @@ double LayerField::largestJump(double) const {
   return std::numeric_limits<double>::infinity();
 }
 
+std::vector<double> LayerField::vertexValues(std::size_t) const {
+  return {};
+}
+
 namespace {
 
 constexpr std::size_t kVertexGrain = 4096;
@@ -39,9 +43,15 @@ constexpr double kLongEdge = 0.01;
 
 /// Field value per vertex; vertices of torn triangles become NaN only when the field may tear.
 std::vector<double> fieldOf(const geometry::PartSurface& part,
+                            std::size_t index,
                             const LayerField& field,
                             const JobContext& context) {
-  std::vector<double> scalar(part.mesh.vertices.size());
+  std::vector<double> scalar = field.vertexValues(index);
+  if (!scalar.empty()) {
+    WCAM_ASSERT(scalar.size() == part.mesh.vertices.size());
+    return scalar;
+  }
+  scalar.resize(part.mesh.vertices.size());
   parallelFor(
       scalar.size(), kVertexGrain,
       [&](std::size_t v) { scalar[v] = field.scalar(part.mesh.vertices[v]); }, context);
@@ -115,7 +125,8 @@ double unitsPerMm(const geometry::TriangleMesh& mesh,
 
 struct LevelResult {
   std::vector<Contour> contours;
-  std::vector<Diagnostic> findings;
+  std::size_t points = 0;          ///< contours that are single points
+  Vec3 firstPoint = Vec3::Zero();  ///< of them
   std::size_t unrefined = 0;
   bool anyBelow = false;
 };
@@ -129,7 +140,6 @@ void traceOneLevel(const geometry::PartSurface& part,
                    const std::vector<geometry::LevelContour>& contours,
                    const LayerField* field,
                    std::size_t level,
-                   double levelValue,
                    const Substrate& substrate,
                    const Sampling& sampling,
                    LevelResult& result) {
@@ -141,14 +151,8 @@ void traceOneLevel(const geometry::PartSurface& part,
     LevelCurve curve(part, evaluator ? &*evaluator : nullptr, field, level, size, flat);
     result.unrefined += curve.assign(contour);
     if (curve.length() <= kPointContour * size) {
-      const Vec3 p = contour.points.front();
-      result.findings.push_back(
-          {Severity::Information,
-           "slicing.degenerate_contour",
-           "a contour of the layer is a single point and was dropped",
-           "end the operation one layer earlier if this is not wanted",
-           {},
-           {{"level", levelValue}, {"x_mm", p.x()}, {"y_mm", p.y()}, {"z_mm", p.z()}}});
+      result.firstPoint = result.points == 0 ? contour.points.front() : result.firstPoint;
+      ++result.points;
       continue;
     }
     std::vector<LevelCurve> kept = curve.keepAbove(substrate, kOnSubstrate * flat);
@@ -162,6 +166,30 @@ void traceOneLevel(const geometry::PartSurface& part,
       }
     }
   }
+}
+
+void reportPoints(const LevelResult& result, double level, const JobContext& context) {
+  if (result.points == 0) {
+    return;
+  }
+  const Vec3& p = result.firstPoint;
+  const std::string place = "(" + formatFixed(p.x(), 2) + ", " + formatFixed(p.y(), 2) + ", " +
+                            formatFixed(p.z(), 2) + ")";
+  context.add({Severity::Information,
+               "slicing.degenerate_contour",
+               result.points == 1
+                   ? text("a contour of the layer at %1 is a single point and was dropped, at %2",
+                          {formatFixed(level, 3), place})
+                   : text("%1 contours of the layer at %2 are single points and were dropped, the "
+                          "first at %3",
+                          {std::to_string(result.points), formatFixed(level, 3), place}),
+               "end the operation one layer earlier if this is not wanted",
+               {},
+               {{"points", static_cast<double>(result.points)},
+                {"level", level},
+                {"x_mm", p.x()},
+                {"y_mm", p.y()},
+                {"z_mm", p.z()}}});
 }
 
 /// @param layer index of the layer in the result
@@ -222,8 +250,8 @@ void tracePart(const geometry::PartSurface& part,
       [&](std::size_t from, std::size_t to) {
         for (std::size_t l = from; l < to; ++l) {
           context.check();
-          traceOneLevel(part, size, flat, partIndex, curves[l], field, l, levels[l].value,
-                        substrate, sampling, results[l]);
+          traceOneLevel(part, size, flat, partIndex, curves[l], field, l, substrate, sampling,
+                        results[l]);
         }
         context.report(0.3 + 0.7 * static_cast<double>(done += to - from) /
                                  static_cast<double>(levels.size()));
@@ -241,7 +269,7 @@ SlicedLayers assemble(std::vector<LevelResult> results,
                       const JobContext& context) {
   SlicedLayers sliced;
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    context.diagnostics().append(results[l].findings);
+    reportPoints(results[l], levels[l].value, context);
     if (results[l].contours.empty()) {
       context.add({Severity::Information,
                    "slicing.empty_layer",
@@ -260,7 +288,7 @@ SlicedLayers assemble(std::vector<LevelResult> results,
   }
   if (sliced.layers.empty()) {
     throw Error(
-        ErrorCode::JobFailed, "no layer meets the part", "slicing",
+        ErrorCode::CheckFailed, "no layer meets the part", "slicing",
         "check the part's place above the substrate, the build direction and the layer step");
   }
   context.report(1.0);
@@ -278,7 +306,7 @@ SlicedLayers sliceByField(const std::vector<std::shared_ptr<const geometry::Part
   std::vector<LevelResult> results(levels.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const JobContext portion = partPortion(context, k, parts.size());
-    const std::vector<double> scalar = fieldOf(*parts[k], field, portion);
+    const std::vector<double> scalar = fieldOf(*parts[k], k, field, portion);
     const auto cut = withoutTears(*parts[k], field, scalar);
     const geometry::PartSurface& part = cut ? *cut : *parts[k];
     const double snap = kFieldSnap * std::max(1.0, part.mesh.bounds().diagonal());

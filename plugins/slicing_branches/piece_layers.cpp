@@ -252,7 +252,7 @@ private:
       sliced = toolpath::sliceByField({std::make_shared<const PartSurface>(piece.surface)}, field,
                                       levels, *input_.substrate, input_.sampling, own);
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::JobFailed) {
+      if (error.code() != ErrorCode::JobFailed && error.code() != ErrorCode::CheckFailed) {
         throw;
       }
     }

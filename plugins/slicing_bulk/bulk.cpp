@@ -9,6 +9,7 @@
 #include "bulk_section.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -26,6 +27,9 @@ using toolpath::SlicedLayers;
 
 /// Part of the chord error that the outline of a section may lose before it is filled.
 constexpr double kOutlineShare = 0.25;
+/// A layer that holds less of its volume has a finding, and a remedy comes so near to 1.
+constexpr double kLeastFill = 0.95;
+constexpr double kGoodFill = 0.03;
 
 struct FilledLayer {
   std::vector<Contour> contours;
@@ -64,14 +68,24 @@ void reportCoverage(const FillCoverage& coverage,
   }
 }
 
-/// The narrowest beads may hold more than their room: by volume, as the layer height is the same.
-void reportOverfill(double ratio, const Params& params, FilledLayer& layer) {
+/// By volume, as the layer height is the same: the narrowest beads may hold more than their room,
+/// and no bead reaches everything.
+void reportFill(double ratio, const Params& params, const Text& remedy, FilledLayer& layer) {
   if (ratio > params.mostFill) {
     layer.findings.push_back({Severity::Warning,
                               "slicing.overfill",
                               text("the beads hold %1 % of the volume of the layer and pile up",
                                    {formatFixed(100.0 * ratio, 1)}),
-                              "use fewer walls, the medial pattern or a narrower bead",
+                              remedy,
+                              {},
+                              {{"fill_percent", 100.0 * ratio}}});
+  } else if (ratio < kLeastFill) {
+    layer.findings.push_back({Severity::Warning,
+                              "slicing.underfill",
+                              text("the beads hold %1 % of the volume of the layer: they do not "
+                                   "reach all of the section",
+                                   {formatFixed(100.0 * ratio, 1)}),
+                              remedy,
                               {},
                               {{"fill_percent", 100.0 * ratio}}});
   }
@@ -204,7 +218,7 @@ private:
     const FillResult fill = toolpath::fillRegion(region, options);
     // Where borders slope, the section halfway through the layer has its volume.
     Region2 room = slab.middle != nullptr ? regionOf(*slab.middle, part, plane) : Region2{};
-    room = grownByReference(room.empty() ? region : room, options);
+    room = withoutHollow(grownByReference(room.empty() ? region : room, options), options);
     const std::vector<toolpath::FillRoom> rooms =
         toolpath::shareRoom(room, fill.beads, options, slab.thickness);
     for (std::size_t i = 0; i < fill.beads.size(); ++i) {
@@ -213,8 +227,71 @@ private:
     reportNarrow(fill, plane, result);
     if (options.pattern != toolpath::FillPattern::None) {
       reportCoverage(toolpath::fillCoverage(region, fill.beads, options), params_, plane, result);
-      reportOverfill(toolpath::fillRatio(room, rooms), params_, result);
     }
+    const double ratio = toolpath::fillRatio(room, rooms);
+    const bool bad = ratio > params_.mostFill || ratio < kLeastFill;
+    reportFill(ratio, params_, bad ? remedyFor(region, room, options, slab.thickness) : Text(),
+               result);
+  }
+
+  /// What fills a section better, tried.
+  [[nodiscard]] static Text remedyFor(const Region2& region,
+                                      const Region2& room,
+                                      const FillOptions& options,
+                                      double thickness) {
+    const auto ratioOf = [&](const FillOptions& tried) {
+      return toolpath::fillRatio(
+          room,
+          toolpath::shareRoom(room, toolpath::fillRegion(region, tried).beads, tried, thickness));
+    };
+    const auto isGood = [](double ratio) { return std::abs(ratio - 1.0) <= kGoodFill; };
+    if (options.pattern == toolpath::FillPattern::None) {
+      return "choose a pattern that fills the inside, or another bead width";
+    }
+    for (const double part : {1.125, 1.25, 1.75, 2.0}) {
+      FillOptions tried = options;
+      tried.maxWidth = part * options.width;
+      const double ratio = ratioOf(tried);
+      if (isGood(ratio)) {
+        return text("set max_width to %1 mm: %2 % of the volume are then filled (this was tried)",
+                    {formatFixed(tried.maxWidth, 2), formatFixed(100.0 * ratio, 1)});
+      }
+    }
+    for (const auto& [pattern, name] : {std::pair{toolpath::FillPattern::Zigzag, "zigzag"},
+                                        std::pair{toolpath::FillPattern::Contour, "contour"},
+                                        std::pair{toolpath::FillPattern::Medial, "medial"}}) {
+      FillOptions tried = options;
+      tried.pattern = pattern;
+      const double ratio = ratioOf(tried);
+      if (isGood(ratio)) {
+        return text("set pattern to %1: %2 % of the volume are then filled (this was tried)",
+                    {name, formatFixed(100.0 * ratio, 1)});
+      }
+    }
+    for (const double part : {0.85, 0.7, 0.55}) {
+      FillOptions tried = options;
+      tried.width = part * options.width;
+      tried.minWidth = std::min(options.minWidth, tried.width);
+      const double ratio = ratioOf(tried);
+      if (isGood(ratio)) {
+        return text("set bead_width to %1 mm: %2 % of the volume are then filled (this was tried)",
+                    {formatFixed(tried.width, 2), formatFixed(100.0 * ratio, 1)});
+      }
+    }
+    return "use another pattern, fewer walls or a narrower bead";
+  }
+
+  /// Walls without a pattern fill the ring that they reach over, not the hollow inside it.
+  [[nodiscard]] Region2 withoutHollow(const Region2& room, const FillOptions& options) const {
+    if (options.pattern != toolpath::FillPattern::None) {
+      return room;
+    }
+    const double outer = std::max(0.0, 0.5 * options.width - options.firstCentreLine());
+    const double reach = outer + options.firstCentreLine() +
+                         (options.walls - 1) * options.spacing() + 0.5 * options.width;
+    return geometry::subtract(
+        room, geometry::offsetRegion(
+                  room, -reach, {geometry::CornerJoin::Miter, 2.0, input_.sampling.chordError}));
   }
 
   /// Where the outermost bead reaches over the section's border, as stock, its room does too.
@@ -389,7 +466,7 @@ void registerComponents(plugin::Registrar& registrar) {
       {.id = "wcam.slicing.bulk",
        .name = "Filled planar layers",
        .summary = "Planar layers of a solid, filled with walls and a pattern at the bead overlap.",
-       .version = 2,
+       .version = 3,
        .params = Params::schema().params()},
       [] { return std::make_unique<BulkSlicing>(); });
 }

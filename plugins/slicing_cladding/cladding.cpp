@@ -8,6 +8,7 @@
 
 #include "cladding_beads.hpp"
 #include "cladding_lines.hpp"
+#include "cladding_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,13 +67,16 @@ Schema<Params> makeSchema() {
       .add(&Params::overlap,
            {.key = "overlap",
             .label = "Centre distance, in bead widths",
-            .help = "Measured on the surface; 0.667 leaves a level surface (Ding 2015).",
+            .help = "Measured on the surface; 0.667 leaves a level surface (Ding 2015). It is "
+                    "changed a little, so that beads end at both borders.",
             .group = "Beads",
             .min = 0.1,
             .max = 1.0})
       .add(&Params::margin, {.key = "border",
                              .label = "At the border of the surface",
-                             .help = "What lies on the border: the bead's side or its centre.",
+                             .help = "What lies on the border: the bead's side or its centre. A "
+                                     "centre on the border adds half a bead distance of stock "
+                                     "beyond it.",
                              .group = "Beads",
                              .choices = {{"inside", "The bead's side: it stays on the surface"},
                                          {"centre", "The bead's centre"}}})
@@ -155,7 +159,19 @@ public:
         width_(params.width.value() > 0.0 ? params.width.value() : input.bead.width),
         spacing_(params.spacing(width_)),
         margin_(params.margin == Margin::Inside ? 0.5 * width_ : 0.0),
-        minLength_(params.minLength.value() > 0.0 ? params.minLength.value() : width_) {}
+        minLength_(params.minLength.value() > 0.0 ? params.minLength.value() : width_) {
+    for (const auto& part : input.parts) {
+      geometry::SegmentTree& border = borders_.emplace_back();
+      const geometry::TriangleMesh& mesh = part->mesh;
+      for (std::uint32_t h = 0; h < 3 * mesh.triangles.size(); ++h) {
+        if (part->halfEdges.twin(h) == geometry::HalfEdges::kNone) {
+          const auto& t = mesh.triangles[h / 3];
+          border.add(mesh.vertices[t[h % 3]], mesh.vertices[t[(h % 3 + 1) % 3]]);
+        }
+      }
+      border.build();
+    }
+  }
 
   [[nodiscard]] SlicedLayers run() const {
     std::vector<std::vector<SurfaceCurve>> beads(input_.parts.size());
@@ -175,21 +191,77 @@ public:
 private:
   [[nodiscard]] std::vector<SurfaceCurve> lines(std::size_t part) const {
     const PartSurface& surface = *input_.parts[part];
-    const LinePlanes planes =
-        linePlanes(surface, Vec3(params_.direction[0], params_.direction[1], params_.direction[2]),
-                   spacing_, margin_);
+    const LinePlanes planes = linePlanes(surface, across(), spacing_, marginsOf(part));
     report(planes, part);
-    const SlicedLayers sliced = toolpath::sliceByField(
-        {input_.parts[part]}, toolpath::PlaneField(planes.stack), planes.stack.levels, below_,
-        input_.sampling, context_.withOwnDiagnostics());
-    std::vector<SurfaceCurve> curves =
-        curvesOf(byLevel(sliced, planes.stack.levels), margin_, part);
+    std::vector<SurfaceCurve> curves = traces(planes, planes.stack, part);
     if (params_.pattern == Pattern::Zigzag) {
       constexpr double kReach = 2.0;
       curves = zigzag(curves, geometry::AabbTree(surface.mesh), kReach * spacing_,
                       input_.sampling.maxSpacing);
     }
     return curves;
+  }
+
+  [[nodiscard]] Vec3 across() const {
+    return {params_.direction[0], params_.direction[1], params_.direction[2]};
+  }
+
+  [[nodiscard]] std::vector<SurfaceCurve> traces(const LinePlanes& planes,
+                                                 const toolpath::PlaneStack& stack,
+                                                 std::size_t part) const {
+    const SlicedLayers sliced =
+        toolpath::sliceByField({input_.parts[part]}, toolpath::PlaneField(stack), stack.levels,
+                               below_, input_.sampling, context_.withOwnDiagnostics());
+    // A surface narrower than a bead has its bead in the middle.
+    constexpr double kInside = 0.49;
+    return curvesOf(byLevel(sliced, stack.levels), std::min(margin_, kInside * planes.width), part);
+  }
+
+  /// How far the first and the last line stay from the ends. Where the border is round, a line at
+  /// the bead's distance from its end would be a point: it moves inwards until a bead fits.
+  [[nodiscard]] std::array<double, 2> marginsOf(std::size_t part) const {
+    std::array<double, 2> margins{margin_, margin_};
+    if (borders_[part].empty()) {
+      return margins;
+    }
+    const auto fits = [&](const std::array<double, 2>& tried, bool last, double length) {
+      const LinePlanes planes = linePlanes(*input_.parts[part], across(), spacing_, tried);
+      toolpath::PlaneStack stack = planes.stack;
+      stack.levels = {last ? planes.stack.levels.back() : planes.stack.levels.front()};
+      try {
+        const std::vector<SurfaceCurve> found = traces(planes, stack, part);
+        return std::any_of(found.begin(), found.end(),
+                           [&](const SurfaceCurve& curve) { return curveLength(curve) >= length; });
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::CheckFailed && error.code() != ErrorCode::JobFailed) {
+          throw;
+        }
+        return false;  // the plane meets nothing
+      }
+    };
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      // Rather a bead worth its start; where the surface is small, any bead.
+      for (const double length : {std::max(minLength_, 2.0 * width_), minLength_}) {
+        std::array<double, 2> tried = margins;
+        tried[side] = margin_ + spacing_;
+        if (fits(margins, side == 1, length)) {
+          break;
+        }
+        if (!fits(tried, side == 1, length)) {
+          continue;
+        }
+        double low = margin_;
+        double high = margin_ + spacing_;
+        constexpr int kBisections = 8;
+        for (int k = 0; k < kBisections; ++k) {
+          tried[side] = 0.5 * (low + high);
+          (fits(tried, side == 1, length) ? high : low) = tried[side];
+        }
+        margins[side] = high;
+        break;
+      }
+    }
+    return margins;
   }
 
   [[nodiscard]] std::vector<SurfaceCurve> concentric(std::size_t part) const {
@@ -201,7 +273,9 @@ private:
                   "pick the faces to clad, or take parallel lines");
     }
     const auto fine = std::make_shared<const PartSurface>(
-        geometry::refineSurface(whole, geometry::fieldEdgeLength(whole, spacing_), context_));
+        // The innermost beads turn around half a spacing: edges half as long follow them.
+        geometry::refineSurface(whole, geometry::fieldEdgeLength(whole, 0.25 * spacing_),
+                                context_));
     geometry::GeodesicSource source;
     for (std::uint32_t h = 0; h < 3 * fine->mesh.triangles.size(); ++h) {
       if (fine->halfEdges.twin(h) == geometry::HalfEdges::kNone) {
@@ -219,14 +293,17 @@ private:
         d = std::numeric_limits<double>::quiet_NaN();
       }
     }
-    requireFewLines(farthest / spacing_);
-    std::vector<LayerLevel> levels;
-    for (std::size_t k = 0; margin_ + static_cast<double>(k) * spacing_ < farthest; ++k) {
-      levels.push_back(
-          {margin_ + static_cast<double>(k) * spacing_, input_.substrate->up(), spacing_});
-    }
-    if (levels.empty()) {
+    const double room = farthest - margin_;
+    if (!(room > 0.0)) {
       return {};
+    }
+    requireFewLines(room / spacing_);
+    // The innermost beads lie half a spacing from the middle line that they share.
+    const int rings = std::max(1, gapsOf(room + 0.5 * spacing_, spacing_));
+    const double spacing = room / (rings - 0.5);
+    std::vector<LayerLevel> levels;
+    for (int k = 0; k < rings; ++k) {
+      levels.push_back({margin_ + k * spacing, input_.substrate->up(), spacing});
     }
     const SlicedLayers sliced =
         toolpath::sliceByField({fine}, toolpath::VertexField{{std::move(distance)}}, levels, below_,
@@ -235,7 +312,7 @@ private:
   }
 
   [[nodiscard]] std::vector<SurfaceCurve> curvesOf(const std::vector<std::vector<Contour>>& traces,
-                                                   double trim,
+                                                   double margin,
                                                    std::size_t part) const {
     std::vector<SurfaceCurve> curves;
     for (std::size_t line = 0; line < traces.size(); ++line) {
@@ -244,9 +321,10 @@ private:
         if (!input_.parts[part]->exact()) {
           smoothNormals(curve, kSmoothing * spacing_);
         }
-        trimEnds(curve, trim);
-        if (curve.points.size() > 1 && curveLength(curve) >= minLength_) {
-          curves.push_back(std::move(curve));
+        for (SurfaceCurve& piece : insideBorder(curve, borders_[part], margin)) {
+          if (piece.points.size() > 1 && curveLength(piece) >= minLength_) {
+            curves.push_back(std::move(piece));
+          }
         }
       }
     }
@@ -277,7 +355,41 @@ private:
     }
   }
 
+  /// What the beads of each part have to fill.
+  [[nodiscard]] std::vector<SurfaceRoom> roomsOf(
+      const std::vector<std::vector<SurfaceCurve>>& beads) const {
+    std::vector<SurfaceRoom> rooms;
+    for (std::size_t part = 0; part < beads.size(); ++part) {
+      context_.check();
+      const PartSurface& surface = *input_.parts[part];
+      const Vec3 direction = across().normalized();
+      const auto counts = [&](std::uint32_t t) {
+        const double cosine = surface.mesh.normal(t).dot(direction);
+        return params_.pattern == Pattern::Concentric ||
+               1.0 - cosine * cosine >= kLeastSlope * kLeastSlope;
+      };
+      // A corner of the border is as far from its bead as the diagonal of half its width.
+      constexpr double kReach = 1.5;
+      const SurfaceRoom& room = rooms.emplace_back(
+          surface, beads[part], counts, borders_[part],
+          RoomOptions{width_, spacing_, params_.margin == Margin::Centre ? 0.5 * spacing_ : 0.0,
+                      kReach * std::max(spacing_, margin_)});
+      if (room.uncoveredArea() > spacing_ * spacing_) {
+        context_.add({Severity::Warning,
+                      "slicing.uncovered",
+                      text("%1 mm² of part %2 lie too far from every bead and are not covered",
+                           {formatFixed(room.uncoveredArea(), 0), std::to_string(part + 1)}),
+                      "use narrower beads, allow shorter ones (min_length), or take another "
+                      "pattern or direction",
+                      {},
+                      {{"area_mm2", room.uncoveredArea()}}});
+      }
+    }
+    return rooms;
+  }
+
   [[nodiscard]] SlicedLayers stack(const std::vector<std::vector<SurfaceCurve>>& beads) const {
+    const std::vector<SurfaceRoom> rooms = roomsOf(beads);
     SlicedLayers sliced;
     sliced.curved = true;
     sliced.asGiven = params_.pattern != Pattern::Concentric;
@@ -301,9 +413,12 @@ private:
       std::size_t cut = 0;
       int group = 0;
       for (std::size_t part = 0; part < beads.size(); ++part) {
-        for (const SurfaceCurve& curve : beads[part]) {
-          Contour contour =
-              raised(curve, layer.level, params_.step.value(), params_.width.value(), folded);
+        for (std::size_t c = 0; c < beads[part].size(); ++c) {
+          const SurfaceCurve& curve = beads[part][c];
+          // A layer has the area of its middle.
+          const double middle = std::max(0.0, layer.level - 0.5 * params_.step.value());
+          Contour contour = raised(curve, layer.level, params_.step.value(), params_.width.value(),
+                                   rooms[part].at(c, middle), folded);
           contour.part = static_cast<int>(part);
           contour.group = group++;
           std::vector<Contour> pieces = aboveSubstrate(contour, *input_.substrate);
@@ -352,6 +467,7 @@ private:
   double spacing_;
   double margin_;
   double minLength_;
+  std::vector<geometry::SegmentTree> borders_;  ///< per part
 };
 
 class CladdingSlicing : public plugin::SlicingStrategy {
@@ -371,7 +487,7 @@ void registerComponents(plugin::Registrar& registrar) {
       {.id = "wcam.slicing.cladding",
        .name = "Cladding of a surface",
        .summary = "Beads side by side on faces or a whole surface, in layers along the normal.",
-       .version = 1,
+       .version = 2,
        .params = Params::schema().params()},
       [] { return std::make_unique<CladdingSlicing>(); });
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace wcam::cladding {
 
@@ -100,26 +101,6 @@ void reverse(SurfaceCurve& curve) {
   std::reverse(curve.normals.begin(), curve.normals.end());
 }
 
-void trimEnd(SurfaceCurve& curve, double length) {
-  while (curve.points.size() > 1) {
-    const std::size_t n = curve.points.size();
-    const Vec3 d = curve.points[n - 1] - curve.points[n - 2];
-    const double last = d.norm();
-    if (last > length) {
-      const double s = 1.0 - length / last;
-      curve.points[n - 1] = curve.points[n - 2] + s * d;
-      curve.normals[n - 1] =
-          (curve.normals[n - 2] + s * (curve.normals[n - 1] - curve.normals[n - 2])).normalized();
-      return;
-    }
-    length -= last;
-    curve.points.pop_back();
-    curve.normals.pop_back();
-  }
-  curve.points.clear();
-  curve.normals.clear();
-}
-
 /// Goes over from the end of a curve to the start of the next.
 void bridge(SurfaceCurve& curve,
             const SurfaceCurve& next,
@@ -149,14 +130,83 @@ struct Pair {
 
 }  // namespace
 
-void trimEnds(SurfaceCurve& curve, double length) {
-  if (curve.closed || !(length > 0.0)) {
-    return;
+std::vector<SurfaceCurve> insideBorder(const SurfaceCurve& curve,
+                                       const geometry::SegmentTree& border,
+                                       double margin) {
+  const std::size_t n = curve.points.size();
+  if (border.empty() || !(margin > 0.0) || n < 2) {
+    return {curve};
   }
-  trimEnd(curve, length);
-  reverse(curve);
-  trimEnd(curve, length);
-  reverse(curve);
+  // On its way between two points a curve may come near a corner of the border.
+  constexpr double kLook = 0.25;
+  constexpr double kRounding = 1e-10;
+  const double least = (1.0 - kRounding) * margin;
+  const auto inside = [&](const Vec3& p) { return border.distance(p, 2.0 * margin) >= least; };
+  const auto at = [&](std::size_t i, double w) {
+    const std::size_t j = (i + 1) % n;
+    const Vec3 normal = (1.0 - w) * curve.normals[i] + w * curve.normals[j];
+    return std::pair<Vec3, Vec3>{
+        curve.points[i] + w * (curve.points[j] - curve.points[i]),
+        normal.norm() > 0.0 ? Vec3(normal.normalized()) : curve.normals[i]};
+  };
+  std::vector<SurfaceCurve> pieces;
+  SurfaceCurve piece;
+  piece.line = curve.line;
+  bool whole = true;
+  const auto push = [&](const std::pair<Vec3, Vec3>& place) {
+    piece.points.push_back(place.first);
+    piece.normals.push_back(place.second);
+  };
+  const auto finish = [&] {
+    if (piece.points.size() > 1) {
+      pieces.push_back(piece);
+    }
+    piece.points.clear();
+    piece.normals.clear();
+  };
+  bool in = inside(curve.points[0]);
+  const bool startsInside = in;
+  if (in) {
+    push(at(0, 0.0));
+  }
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i) {
+    const double length = (curve.points[(i + 1) % n] - curve.points[i]).norm();
+    const auto steps = static_cast<int>(std::max(1.0, std::ceil(length / (kLook * margin))));
+    for (int k = 1; k <= steps; ++k) {
+      double low = static_cast<double>(k - 1) / steps;
+      double high = static_cast<double>(k) / steps;
+      const bool next = inside(at(i, high).first);
+      if (next != in) {
+        whole = false;
+        constexpr int kBisections = 40;
+        for (int b = 0; b < kBisections; ++b) {
+          const double middle = 0.5 * (low + high);
+          (inside(at(i, middle).first) == in ? low : high) = middle;
+        }
+        push(at(i, in ? low : high));
+        if (in) {
+          finish();
+        }
+        in = next;
+      }
+    }
+    if (in) {
+      push({curve.points[(i + 1) % n], curve.normals[(i + 1) % n]});
+    }
+  }
+  if (whole) {
+    return in ? std::vector<SurfaceCurve>{curve} : std::vector<SurfaceCurve>{};
+  }
+  // A closed curve that begins inside: its last piece goes on in its first one.
+  if (curve.closed && startsInside && in && !pieces.empty()) {
+    SurfaceCurve& first = pieces.front();
+    piece.points.insert(piece.points.end(), first.points.begin() + 1, first.points.end());
+    piece.normals.insert(piece.normals.end(), first.normals.begin() + 1, first.normals.end());
+    first = piece;
+    return pieces;
+  }
+  finish();
+  return pieces;
 }
 
 std::vector<SurfaceCurve> zigzag(const std::vector<SurfaceCurve>& curves,
@@ -211,6 +261,7 @@ toolpath::Contour raised(const SurfaceCurve& curve,
                          double height,
                          double layerHeight,
                          double width,
+                         const toolpath::FillRoom& room,
                          std::size_t& folded) {
   toolpath::Contour contour;
   contour.closed = curve.closed;
@@ -225,6 +276,12 @@ toolpath::Contour raised(const SurfaceCurve& curve,
   const auto direction = [](const Vec3& d) {
     return d.norm() > 0.0 ? Vec3(d.normalized()) : Vec3(Vec3::Zero());
   };
+  // What a bead has to fill is known per length of the curve on the surface.
+  const auto lengthAround = [&](const std::vector<Vec3>& on, std::size_t i) {
+    return (on[after(i)] - on[i]).norm() + (on[i] - on[before(i)]).norm();
+  };
+  constexpr double kMostStretch = 10.0;
+  double s = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 on = curve.points[after(i)] - curve.points[before(i)];
     const Vec3 moved = points[after(i)] - points[before(i)];
@@ -238,6 +295,12 @@ toolpath::Contour raised(const SurfaceCurve& curve,
     Vec3 across = normal.cross(t);
     across = across.norm() > kTurnsBack ? Vec3(across.normalized()) : normal.unitOrthogonal();
     contour.points.push_back({points[i], across, layerHeight, width});
+    s += i > 0 ? (curve.points[i] - curve.points[i - 1]).norm() : 0.0;
+    const double flat = lengthAround(curve.points, i);
+    const double stretch =
+        flat > 0.0 ? std::clamp(lengthAround(points, i) / flat, 1.0 / kMostStretch, kMostStretch)
+                   : 1.0;
+    contour.points.back().fillWidth = room.at(s) / stretch;
   }
   return contour;
 }
@@ -251,6 +314,7 @@ toolpath::ContourPoint between(const toolpath::ContourPoint& a,
   point.p += w * (b.p - a.p);
   const Vec3 n = (1.0 - w) * a.n + w * b.n;
   point.n = n.norm() > 0.0 ? Vec3(n.normalized()) : a.n;
+  point.fillWidth += w * (b.fillWidth - a.fillWidth);
   return point;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "wcam/geometry/aabb_tree.hpp"
+#include "wcam/geometry/segment_tree.hpp"
+#include "wcam/toolpath/fill_room.hpp"
 #include "wcam/toolpath/slicing.hpp"
 #include "wcam/toolpath/substrate.hpp"
 
@@ -28,8 +30,10 @@ SurfaceCurve toCurve(const toolpath::Contour& contour, std::size_t line, double 
 /// length: facets of a mesh, and slivers above all, have normals that the surface does not have.
 void smoothNormals(SurfaceCurve& curve, double distance);
 
-/// Takes a length off both ends of an open curve; what is left may be empty.
-void trimEnds(SurfaceCurve& curve, double length);
+/// The pieces of a curve that keep a distance from the border.
+std::vector<SurfaceCurve> insideBorder(const SurfaceCurve& curve,
+                                       const geometry::SegmentTree& border,
+                                       double margin);
 
 double curveLength(const SurfaceCurve& curve);
 
@@ -42,11 +46,13 @@ std::vector<SurfaceCurve> zigzag(const std::vector<SurfaceCurve>& curves,
                                  double maxSpacing);
 
 /// The bead on a curve at a height above the surface: n = normal × travel, so that t × n is the
-/// surface's normal. @param folded is raised by the points at which the raised curve runs backwards
+/// surface's normal. @param room that the bead has to fill, per length of the curve
+/// @param folded is raised by the points at which the raised curve runs backwards
 toolpath::Contour raised(const SurfaceCurve& curve,
                          double height,
                          double layerHeight,
                          double width,
+                         const toolpath::FillRoom& room,
                          std::size_t& folded);
 
 /// The pieces of a bead that lie above the substrate, cut where they pass through it.

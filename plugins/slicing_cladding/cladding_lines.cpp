@@ -13,9 +13,6 @@ namespace wcam::cladding {
 
 namespace {
 
-/// Surface that is nearer than this to the planes' own direction (sine of about 6 degrees) cannot
-/// be covered by them: one bead would stand for ten spacings of plane distance.
-constexpr double kLeastSlope = 0.1;
 /// Traces nearer than this part of the spacing count as dense.
 constexpr double kDense = 0.75;
 constexpr double kMostLines = 1e5;
@@ -81,6 +78,12 @@ std::vector<double> leastSlopes(std::vector<Strip> strips, double low, double st
 
 }  // namespace
 
+int gapsOf(double length, double spacing) {
+  // A tenth of a spacing more or less is level all the same, and saves a bead.
+  constexpr double kWider = 0.1;
+  return static_cast<int>(std::max(0.0, std::ceil(length / spacing - kWider)));
+}
+
 void requireFewLines(double count) {
   if (!(count <= kMostLines)) {
     throw Error(ErrorCode::JobFailed, "more than 100 000 lines would be needed",
@@ -91,7 +94,7 @@ void requireFewLines(double count) {
 LinePlanes linePlanes(const geometry::PartSurface& surface,
                       const Vec3& across,
                       double spacing,
-                      double margin) {
+                      const std::array<double, 2>& margins) {
   if (!(across.norm() > 0.0) || !across.allFinite()) {
     throw Error(ErrorCode::InvalidArgument, "the direction across the beads has no length",
                 "direction", "give a vector such as [1, 0, 0]");
@@ -125,21 +128,23 @@ LinePlanes linePlanes(const geometry::PartSurface& surface,
     distance[i + 1] = distance[i] + step / slopes[i];
   }
   const double width = distance[n];
-  const double room = std::max(0.0, width - 2.0 * margin);
-  // A line that rounding puts a hair beyond the end is still there.
-  constexpr double kRounding = 1e-9;
+  const double room = width - margins[0] - margins[1];
   requireFewLines(room / spacing);
-  const auto gaps = static_cast<int>(room / spacing + kRounding);
-  const double first = 0.5 * (width - gaps * spacing);
+  const int gaps = room > 0.0 ? gapsOf(room, spacing) : 0;
+  const double first = room > 0.0 && gaps > 0
+                           ? margins[0]
+                           : std::clamp(0.5 * (width + margins[0] - margins[1]), 0.0, width);
+  planes.width = width;
+  planes.spacing = gaps > 0 ? room / gaps : spacing;
   std::size_t i = 0;
   for (int k = 0; k <= gaps; ++k) {
-    const double wanted = first + k * spacing;
+    const double wanted = first + k * planes.spacing;
     while (i + 1 < n && distance[i + 1] < wanted) {
       ++i;
     }
     const double f = low + step * (static_cast<double>(i) +
                                    std::clamp((wanted - distance[i]) * slopes[i] / step, 0.0, 1.0));
-    planes.stack.levels.push_back({std::clamp(f, low, high), planes.stack.up, spacing});
+    planes.stack.levels.push_back({std::clamp(f, low, high), planes.stack.up, planes.spacing});
   }
   for (const Strip& strip : strips) {
     const auto middle = static_cast<std::size_t>(

@@ -106,7 +106,7 @@ std::vector<double> endsOf(const plugin::SliceInput& input,
       ends.back() =
           toolpath::endBorderOf(base, toolpath::distanceFromBase(part, base, own), step).distance;
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::JobFailed) {
+      if (error.code() != ErrorCode::JobFailed && error.code() != ErrorCode::CheckFailed) {
         throw;
       }
     }

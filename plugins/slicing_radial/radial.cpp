@@ -10,6 +10,9 @@
 #include "wcam/toolpath/onto_parts.hpp"
 #include "wcam/toolpath/slice_field.hpp"
 
+#include "facets.hpp"
+#include "radial_fields.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,14 +22,7 @@
 namespace {
 
 using namespace wcam;
-using geometry::Vec3;
-
-enum class Shape {
-  Cylinder,  ///< distance from the axis
-  Cone,      ///< distance from a cone about the axis
-  Sphere,    ///< distance from the origin
-  Angle      ///< half-planes through the axis
-};
+using namespace wcam::radial;
 
 struct Params {
   Shape shape = Shape::Cylinder;
@@ -156,128 +152,32 @@ const Schema<Params>& Params::schema() {
   return schema;
 }
 
-/// The axis with two directions across it.
-struct Axis {
-  Vec3 origin = Vec3::Zero();
-  Vec3 z = Vec3::UnitZ();
-  Vec3 x = Vec3::UnitX();
-  Vec3 y = Vec3::UnitY();
-
-  [[nodiscard]] Vec3 radial(const Vec3& p) const {
-    const Vec3 d = p - origin;
-    return d - d.dot(z) * z;
-  }
-
-  /// Unit vector away from the axis; x on the axis itself.
-  [[nodiscard]] Vec3 outward(const Vec3& p) const {
-    const Vec3 r = radial(p);
-    return r.norm() > 0.0 ? Vec3(r.normalized()) : x;
-  }
-
-  [[nodiscard]] double angle(const Vec3& p) const {
-    const Vec3 r = radial(p);
-    const double a = std::atan2(r.dot(y), r.dot(x));
-    return a < 0.0 ? a + 2.0 * kPi : a;
-  }
-};
-
-/// Heights above surfaces of revolution: φ = h·(cos α along the axis, sin α away from it), or the
-/// distance from the origin.
-class RevolvedField : public toolpath::LayerField {
-public:
-  RevolvedField(const Axis& axis, Shape shape, double coneAngle)
-      : axis_(axis), shape_(shape), cosine_(std::cos(coneAngle)), sine_(std::sin(coneAngle)) {}
-
-  void setLevels(const std::vector<toolpath::LayerLevel>& levels) { levels_ = &levels; }
-
-  [[nodiscard]] double scalar(const Vec3& p) const override {
-    switch (shape_) {
-      case Shape::Sphere:
-        return (p - axis_.origin).norm();
-      case Shape::Cone:
-        return cosine_ * (p - axis_.origin).dot(axis_.z) + sine_ * axis_.radial(p).norm();
-      default:
-        return axis_.radial(p).norm();
-    }
-  }
-
-  [[nodiscard]] double residual(const Vec3& p, std::size_t level) const override {
-    return scalar(p) - (*levels_)[level].value;
-  }
-
-  [[nodiscard]] Vec3 gradient(const Vec3& p, std::size_t) const override {
-    switch (shape_) {
-      case Shape::Sphere: {
-        const Vec3 d = p - axis_.origin;
-        return d.norm() > 0.0 ? Vec3(d.normalized()) : axis_.z;
-      }
-      case Shape::Cone:
-        return cosine_ * axis_.z + sine_ * axis_.outward(p);
-      default:
-        return axis_.outward(p);
-    }
-  }
-
-private:
-  Axis axis_;
-  Shape shape_;
-  double cosine_;
-  double sine_;
-  const std::vector<toolpath::LayerLevel>* levels_ = nullptr;
-};
-
-/// Angle about the axis from a start; torn where it jumps by a whole turn.
-class AngleField : public toolpath::LayerField {
-public:
-  AngleField(const Axis& axis, double start, double least)
-      : axis_(axis), start_(start), least_(least) {}
-
-  void setLevels(const std::vector<toolpath::LayerLevel>& levels) { levels_ = &levels; }
-
-  [[nodiscard]] double scalar(const Vec3& p) const override {
-    const double a = axis_.angle(p) - start_;
-    return a - 2.0 * kPi * std::floor(a / (2.0 * kPi));
-  }
-
-  /// Distance from the half-plane, so that the residual is a length.
-  [[nodiscard]] double residual(const Vec3& p, std::size_t level) const override {
-    return axis_.radial(p).dot(acrossOf(level));
-  }
-
-  [[nodiscard]] Vec3 gradient(const Vec3&, std::size_t level) const override {
-    return acrossOf(level);
-  }
-
-  [[nodiscard]] double largestJump(double edgeLength) const override {
-    // An edge at the part's least radius spans this angle at most, a tear nearly a whole turn.
-    return std::min(
-        kPi, least_ > 0.0 ? 2.0 * std::asin(std::min(1.0, 0.5 * edgeLength / least_)) + 0.1 : kPi);
-  }
-
-  [[nodiscard]] Vec3 acrossOf(std::size_t level) const {
-    const double a = (*levels_)[level].value + start_;
-    return std::cos(a) * axis_.y - std::sin(a) * axis_.x;
-  }
-
-private:
-  Axis axis_;
-  double start_;
-  double least_;
-  const std::vector<toolpath::LayerLevel>* levels_ = nullptr;
-};
-
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 };
 
-/// Least and greatest value over the parts, at vertices and inside the triangles' edges.
+/// Values of a field at the vertices of each part.
+using PartValues = std::vector<std::vector<double>>;
+
+/// The field's own values.
 template <class Function>
-Extent extentOf(const plugin::SliceInput& input, const Function& value) {
-  Extent extent;
+PartValues fieldAt(const plugin::SliceInput& input, const Function& value) {
+  PartValues values;
   for (const auto& part : input.parts) {
+    std::vector<double>& at = values.emplace_back();
     for (const Vec3& p : part->mesh.vertices) {
-      const double v = value(p);
+      at.push_back(value(p));
+    }
+  }
+  return values;
+}
+
+/// Minimum and maximum over the parts.
+Extent extentOf(const PartValues& values) {
+  Extent extent;
+  for (const std::vector<double>& part : values) {
+    for (const double v : part) {
       extent.low = std::min(extent.low, v);
       extent.high = std::max(extent.high, v);
     }
@@ -318,21 +218,21 @@ toolpath::Substrate nothingBelow(const toolpath::Substrate& substrate, double si
 
 /// Heights above the start at which the parts end in a face or a border, mm; NaN for the others.
 /// @param unit change of the field's value per mm
-template <class Function>
 std::vector<double> endsOf(const plugin::SliceInput& input,
-                           const Function& value,
+                           const PartValues& values,
                            double start,
                            double unit,
                            double tolerance) {
   std::vector<double> ends;
-  for (const auto& part : input.parts) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
     std::vector<double> heights;
     double most = -std::numeric_limits<double>::infinity();
-    for (const Vec3& p : part->mesh.vertices) {
-      heights.push_back((value(p) - start) / unit);
+    for (const double v : values[k]) {
+      heights.push_back((v - start) / unit);
       most = std::max(most, heights.back());
     }
-    const bool flat = toolpath::endsFlat(part->mesh, part->halfEdges, heights, 2.0 * tolerance);
+    const geometry::PartSurface& part = *input.parts[k];
+    const bool flat = toolpath::endsFlat(part.mesh, part.halfEdges, heights, 2.0 * tolerance);
     ends.push_back(flat ? most : std::numeric_limits<double>::quiet_NaN());
   }
   return ends;
@@ -344,6 +244,53 @@ double flatToleranceOf(const plugin::SliceInput& input) {
     tolerance = std::max(tolerance, geometry::flatTolerance(part->mesh));
   }
   return tolerance;
+}
+
+/// A border or an outer face of flats, whose corners lie beyond the last layer: their middles may
+/// not, and no step ends on both.
+void reportUnevenEnds(const plugin::SliceInput& given,
+                      const RevolvedField& field,
+                      const std::vector<double>& ends,
+                      double last,
+                      const JobContext& context) {
+  for (std::size_t k = 0; k < given.parts.size(); ++k) {
+    const geometry::PartSurface& part = *given.parts[k];
+    if (part.exact() || !std::isnan(ends[k])) {
+      continue;  // an even end has a finding of its own
+    }
+    std::vector<double> values;
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vec3& p : part.mesh.vertices) {
+      values.push_back(field.scalar(p));
+      most = std::max(most, values.back());
+    }
+    const double tolerance = 2.0 * geometry::flatTolerance(part.mesh);
+    if (most - last <= tolerance ||
+        !toolpath::endsFlat(part.mesh, part.halfEdges, values, tolerance)) {
+      continue;
+    }
+    double middle = most;
+    for (const auto& c : part.mesh.triangles) {
+      for (std::size_t e = 0; e < 3; ++e) {
+        const std::uint32_t a = c[e];
+        const std::uint32_t b = c[(e + 1) % 3];
+        if (std::min(values[a], values[b]) >= most - tolerance) {
+          middle =
+              std::min(middle, field.scalar(0.5 * (part.mesh.vertices[a] + part.mesh.vertices[b])));
+        }
+      }
+    }
+    context.add({Severity::Warning,
+                 "slicing.rest",
+                 text("the end of part %1 is made of flats: it goes on above the last layer for %2 "
+                      "mm at its corners and for %3 mm between them",
+                      {std::to_string(k + 1), formatFixed(most - last, 3),
+                       formatFixed(std::max(0.0, middle - last), 3)}),
+                 "export the part with finer facets if its end is round; otherwise shape it by an "
+                 "operation of its own",
+                 {},
+                 {{"rest_mm", most - last}, {"middle_rest_mm", middle - last}}});
+  }
 }
 
 /// Levels of a field from its value `start` on.
@@ -395,9 +342,10 @@ public:
       size = std::max(size, part->mesh.bounds().diagonal());
     }
     const toolpath::Substrate substrate = nothingBelow(*input.substrate, size);
-    toolpath::SlicedLayers sliced = params.shape == Shape::Angle
-                                        ? sliceByAngle(input, params, axis, substrate, context)
-                                        : sliceByHeight(input, params, axis, substrate, context);
+    toolpath::SlicedLayers sliced =
+        params.shape == Shape::Angle
+            ? sliceByAngle(input, params, axis, substrate, context)
+            : sliceByHeight(given, input, params, axis, substrate, context);
     sliced.curved = true;
     sliced.onSubstrate = false;
     toolpath::moveOntoParts(sliced, given.parts, given.sampling, context);
@@ -422,24 +370,34 @@ private:
     return input;
   }
 
-  static toolpath::SlicedLayers sliceByHeight(const plugin::SliceInput& input,
+  static toolpath::SlicedLayers sliceByHeight(const plugin::SliceInput& given,
+                                              const plugin::SliceInput& input,
                                               const Params& params,
                                               const Axis& axis,
                                               const toolpath::Substrate& substrate,
                                               const JobContext& context) {
     RevolvedField field(axis, params.shape, params.coneAngle.value());
-    const Extent extent = extentOf(input, [&](const Vec3& p) { return field.scalar(p); });
-    const double start = params.start.value() > 0.0 ? params.start.value() : extent.low;
     const double tolerance = flatToleranceOf(input);
+    PartValues values;
+    for (std::size_t k = 0; k < given.parts.size(); ++k) {
+      values.push_back(valuesOnFacets(
+          *given.parts[k], *input.parts[k], [&](const Vec3& p) { return field.scalar(p); },
+          params.step.value(), 2.0 * tolerance));
+    }
+    const Extent extent = extentOf(values);
+    const double start = params.start.value() > 0.0 ? params.start.value() : extent.low;
+    const std::vector<double> ends = endsOf(input, values, start, 1.0, tolerance);
     const double height = extent.high - start;
     const bool cut = params.end.value() > 0.0 && params.end.value() < height;
-    const std::vector<toolpath::LayerLevel> levels = levelsFrom(
-        start, 1.0,
-        endsOf(
-            input, [&](const Vec3& p) { return field.scalar(p); }, start, 1.0, tolerance),
-        cut ? params.end.value() : height, cut, wishOf(params, input), tolerance, axis.z, context);
+    const std::vector<toolpath::LayerLevel> levels =
+        levelsFrom(start, 1.0, ends, cut ? params.end.value() : height, cut, wishOf(params, input),
+                   tolerance, axis.z, context);
     requireLevels(levels, start, extent);
+    if (!cut) {
+      reportUnevenEnds(given, field, ends, levels.back().value, context);
+    }
     field.setLevels(levels);
+    field.setValues(std::move(values));
     toolpath::SlicedLayers sliced =
         toolpath::sliceByField(input.parts, field, levels, substrate, input.sampling, context);
     // The first layer lies on the core, whose distance nobody can measure.
@@ -452,7 +410,8 @@ private:
                                              const Axis& axis,
                                              const toolpath::Substrate& substrate,
                                              const JobContext& context) {
-    const Extent radius = extentOf(input, [&](const Vec3& p) { return axis.radial(p).norm(); });
+    const Extent radius =
+        extentOf(fieldAt(input, [&](const Vec3& p) { return axis.radial(p).norm(); }));
     const double stepRadius = params.stepRadius.value() > 0.0 ? params.stepRadius.value()
                                                               : 0.5 * (radius.low + radius.high);
     if (!(stepRadius > 0.0)) {
@@ -461,17 +420,16 @@ private:
     }
     const double step = 2.0 * std::asin(std::min(1.0, 0.5 * params.step.value() / stepRadius));
     AngleField field(axis, params.startAngle.value(), radius.low);
-    const Extent angles = extentOf(input, [&](const Vec3& p) { return field.scalar(p); });
+    const PartValues values = fieldAt(input, [&](const Vec3& p) { return field.scalar(p); });
+    const Extent angles = extentOf(values);
     const double start = std::max(0.0, angles.low);
     const double unit = step / params.step.value();
     const double tolerance = flatToleranceOf(input);
     const bool cut = params.sweep.value() < angles.high;
     const double high = cut ? params.sweep.value() : angles.high;
-    const std::vector<toolpath::LayerLevel> levels = levelsFrom(
-        start, unit,
-        endsOf(
-            input, [&](const Vec3& p) { return field.scalar(p); }, start, unit, tolerance),
-        (high - start) / unit, cut, wishOf(params, input), tolerance, axis.z, context);
+    const std::vector<toolpath::LayerLevel> levels =
+        levelsFrom(start, unit, endsOf(input, values, start, unit, tolerance),
+                   (high - start) / unit, cut, wishOf(params, input), tolerance, axis.z, context);
     requireLevels(levels, 0.0, angles);
     field.setLevels(levels);
     toolpath::SlicedLayers sliced =
@@ -538,7 +496,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .name = "Around an axis",
        .summary = "Layers on cylinders, cones, spheres or half-planes around an axis: flanges on a "
                   "shaft, blades on a hub, bent walls.",
-       .version = 3,
+       .version = 4,
        .params = Params::schema().params()},
       [] { return std::make_unique<RadialSlicing>(); });
 }

@@ -260,13 +260,37 @@ toolpath::SpiralRange widened(const toolpath::SpiralRange& range,
                                    high > range.high ? high + kMore * wish.height : range.high);
 }
 
+/// Points whose height the process cannot deposit.
+std::size_t outsideProcess(const toolpath::SlicedLayers& sliced, const toolpath::BeadRange& bead) {
+  std::size_t count = 0;
+  for (const toolpath::SlicedLayer& layer : sliced.layers) {
+    for (const toolpath::Contour& contour : layer.contours) {
+      for (const toolpath::ContourPoint& point : contour.points) {
+        count +=
+            point.height > 0.0 && (point.height < bead.heightMin || point.height > bead.heightMax)
+                ? 1U
+                : 0U;
+      }
+    }
+  }
+  return count;
+}
+
+/// A range with which nothing is found outside, and the points that the process cannot deposit
+/// then.
+struct Proven {
+  toolpath::SpiralRange range;
+  std::size_t outside = 0;
+};
+
 /// The range from a first one on with which the whole spiral is made and nothing is found outside.
 /// Heights are measured across the layers, where they are less than along the generatrices, and
 /// another range gives other ramps: so each is tried.
-std::optional<toolpath::SpiralRange> provenRange(toolpath::SpiralRange range,
-                                                 const toolpath::SpiralWish& wish,
-                                                 const Make& make,
-                                                 const JobContext& context) {
+std::optional<Proven> provenRange(toolpath::SpiralRange range,
+                                  const toolpath::SpiralWish& wish,
+                                  const toolpath::BeadRange& bead,
+                                  const Make& make,
+                                  const JobContext& context) {
   constexpr int kMostTries = 4;
   for (int tries = 0; tries < kMostTries && range.low > 0.0; ++tries) {
     toolpath::SpiralWish wider = wish;
@@ -277,7 +301,7 @@ std::optional<toolpath::SpiralRange> provenRange(toolpath::SpiralRange range,
       const auto found =
           std::find_if(attempt.findings.begin(), attempt.findings.end(), isAboutRange);
       if (found == attempt.findings.end()) {
-        return range;
+        return Proven{range, outsideProcess(attempt.sliced, bead)};
       }
       range = widened(range, *found, wish);
     } catch (const CancelledError&) {
@@ -293,12 +317,21 @@ std::vector<ParamSetting> settingsOf(const toolpath::SpiralRange& range) {
   return {{"params", "height_min", range.low}, {"params", "height_max", range.high}};
 }
 
-Text remedyOf(const std::optional<toolpath::SpiralRange>& range) {
-  return range
-             ? text("set the modulation range to %1; this was tried", {toolpath::rangeText(*range)})
+/// @param outside points that the process cannot deposit as it is
+Text remedyOf(const std::optional<Proven>& proven, std::size_t outside) {
+  if (!proven) {
+    return "no range about this deposit does on this part: another decomposition or another mean "
+           "deposit may help";
+  }
+  return proven->outside <= outside
+             ? text("set the modulation range to %1; this was tried",
+                    {toolpath::rangeText(proven->range)})
              : text(
-                   "no range about this deposit does on this part: another decomposition or "
-                   "another mean deposit may help");
+                   "only a modulation range of %1 holds these heights, but %2 points instead of "
+                   "%3 would then leave the layer heights of the process: another decomposition "
+                   "or planar layers may suit this end better",
+                   {toolpath::rangeText(proven->range), std::to_string(proven->outside),
+                    std::to_string(outside)});
 }
 
 /// The generatrix that breaks the range most.
@@ -326,14 +359,18 @@ Diagnostic excessOf(const std::vector<toolpath::Generatrix>& curves,
 
 /// Gives the findings about the range their remedy, and refuses where that is wanted.
 void tellRange(Attempt& attempt,
-               const std::optional<toolpath::SpiralRange>& range,
+               const std::optional<Proven>& proven,
+               const toolpath::BeadRange& bead,
                const Params& params) {
+  const std::size_t outside = outsideProcess(attempt.sliced, bead);
+  // What makes other figures worse is told, not offered.
+  const bool offered = proven && proven->outside <= outside;
   for (Diagnostic& finding : attempt.findings) {
     if (!isAboutRange(finding)) {
       continue;
     }
-    finding.remedy = remedyOf(range);
-    const auto settings = range ? settingsOf(*range) : std::vector<ParamSetting>();
+    finding.remedy = remedyOf(proven, outside);
+    const auto settings = offered ? settingsOf(proven->range) : std::vector<ParamSetting>();
     if (finding.code == "slicing.spiral_infeasible" && params.infeasible == Infeasible::Refuse) {
       throw RemediedError(
           Error(ErrorCode::JobFailed, finding.message, "continuous spiral", finding.remedy),
@@ -349,6 +386,7 @@ void tellRange(Attempt& attempt,
 /// @param first a range to begin with where the wish does not do
 toolpath::SlicedLayers made(const toolpath::SpiralWish& wish,
                             const Params& params,
+                            const toolpath::BeadRange& bead,
                             const std::function<toolpath::SpiralRange()>& first,
                             const Make& make,
                             const JobContext& context) {
@@ -357,7 +395,8 @@ toolpath::SlicedLayers made(const toolpath::SpiralWish& wish,
   if (found != attempt.findings.end()) {
     // Without progress: nobody knows how many tries it takes.
     const JobContext quiet = context.portion(1.0, 1.0);
-    tellRange(attempt, provenRange(widened(first(), *found, wish), wish, make, quiet), params);
+    tellRange(attempt, provenRange(widened(first(), *found, wish), wish, bead, make, quiet), bead,
+              params);
   }
   for (Diagnostic& finding : attempt.findings) {
     context.add(std::move(finding));
@@ -396,7 +435,7 @@ public:
         return Attempt{std::move(sliced), found.diagnostics().items()};
       };
       const auto first = [&] { return toolpath::roundedOutwards(wish.heightMin, wish.heightMax); };
-      return made(wish, params, first, make, context.portion(0.3, 1.0, "spiral"));
+      return made(wish, params, input.bead, first, make, context.portion(0.3, 1.0, "spiral"));
     }
     toolpath::GeneratrixOptions options;
     options.method = params.decomposition;
@@ -432,7 +471,7 @@ public:
       return toolpath::rangeThatWouldDo(lengths, wish)
           .value_or(toolpath::roundedOutwards(wish.heightMin, wish.heightMax));
     };
-    return made(wish, params, first, make, context.portion(0.8, 1.0, "spiral"));
+    return made(wish, params, input.bead, first, make, context.portion(0.8, 1.0, "spiral"));
   }
 };
 
@@ -443,7 +482,7 @@ void registerComponents(plugin::Registrar& registrar) {
        .summary =
            "One bead without interruption around a thin wall, its height modulated so that it "
            "meets both borders.",
-       .version = 2,
+       .version = 3,
        .params = Params::schema().params()},
       [] { return std::make_unique<SpiralSlicing>(); });
 }

@@ -3381,10 +3381,6 @@
         <translation>une commande est un objet avec les clés « command » et « args »</translation>
     </message>
     <message>
-        <source>a contour of the layer is a single point and was dropped</source>
-        <translation>un contour de la couche est un seul point et a été supprimé</translation>
-    </message>
-    <message>
         <source>a coordinate is no number</source>
         <translation>une coordonnée n’est pas un nombre</translation>
     </message>
@@ -5069,10 +5065,6 @@
         <translation>déplacer la pièce sur le substrat, ou un peu dedans</translation>
     </message>
     <message>
-        <source>move the part or choose a larger plate</source>
-        <translation>déplacer la pièce ou choisir une plaque plus grande</translation>
-    </message>
-    <message>
         <source>move the part or the substrate</source>
         <translation>déplacer la pièce ou le substrat</translation>
     </message>
@@ -5127,10 +5119,6 @@
     <message>
         <source>must be greater than from, or 0 for the end</source>
         <translation>doit être supérieur à from, ou 0 pour la fin</translation>
-    </message>
-    <message>
-        <source>must begin where the piece before it ends</source>
-        <translation>doit commencer où finit le morceau précédent</translation>
     </message>
     <message>
         <source>must have 1 to %1 characters and no control characters</source>
@@ -6647,10 +6635,6 @@
         <translation>le rayon est %1 à z = %2</translation>
     </message>
     <message>
-        <source>the radius is not a number at z = %1</source>
-        <translation>le rayon n’est pas un nombre à z = %1</translation>
-    </message>
-    <message>
         <source>the radius must be positive along the whole guide</source>
         <translation>le rayon doit être positif tout le long du guide</translation>
     </message>
@@ -7133,10 +7117,6 @@
     <message>
         <source>use fewer or thinner layers there</source>
         <translation>y utiliser moins de couches ou des couches plus minces</translation>
-    </message>
-    <message>
-        <source>use fewer walls, the medial pattern or a narrower bead</source>
-        <translation>utiliser moins de parois, le motif médian ou un cordon plus étroit</translation>
     </message>
     <message>
         <source>use linear moves inside a bead</source>
@@ -7787,10 +7767,6 @@
         <translation>Quand la hauteur de la pièce n’est pas un nombre entier de pas : fit change un peu le pas pour que la dernière couche soit à la fin de la pièce ; leave garde le pas et indique ce qui reste de la pièce au-dessus de la dernière couche.</translation>
     </message>
     <message>
-        <source>a smaller step or a narrower bead covers more of slanted faces</source>
-        <translation>un pas plus petit ou un cordon plus étroit couvre mieux les faces inclinées</translation>
-    </message>
-    <message>
         <source>a step of %1 mm ends on the part&apos;s end</source>
         <translation>un pas de %1 mm s’achève à la fin de la pièce</translation>
     </message>
@@ -7829,10 +7805,6 @@
     <message>
         <source>part %1 reaches %2 mm into the substrate; what lies there gets no layers</source>
         <translation>la pièce %1 pénètre de %2 mm dans le substrat ; ce qui s’y trouve ne reçoit aucune couche</translation>
-    </message>
-    <message>
-        <source>raise the part by %1 mm, so that it stands on the plate</source>
-        <translation>relever la pièce de %1 mm pour qu’elle repose sur la plaque</translation>
     </message>
     <message>
         <source>split the range where the formula has a corner or a vertical tangent, if that is not near enough</source>
@@ -8507,10 +8479,6 @@
         <translation>Entre des points éloignés, les robots s’écartent de la ligne ; 4,9 mm les y maintient. 0 prend ces 4,9 mm, ou la largeur du cordon si elle est plus petite.</translation>
     </message>
     <message>
-        <source>beads side by side need less material than single ones: at the maximum travel speed of %1 mm/s the wire feed of %2 m/min would deposit too much, and %3 m/min is used</source>
-        <translation>des cordons côte à côte demandent moins de matière que des cordons isolés : à la vitesse d’avance maximale de %1 mm/s, une vitesse de fil de %2 m/min en déposerait trop ; %3 m/min est employé</translation>
-    </message>
-    <message>
         <source>belongs to a torch that the robot carries</source>
         <translation>ne s’applique qu’à une torche portée par le robot</translation>
     </message>
@@ -9047,8 +9015,132 @@
         <translation>des cordons se trouvent jusqu&apos;à %1 mm dans la plaque, au plus profond en (%2, %3, %4)</translation>
     </message>
     <message>
-        <source>raise the part by %1 mm along the build direction, or choose a strategy whose layers begin at the plate</source>
-        <translation>relevez la pièce de %1 mm dans la direction de construction, ou choisissez une stratégie dont les couches commencent à la plaque</translation>
+        <source>%1 contours of the layer at %2 are single points and were dropped, the first at %3</source>
+        <translation>%1 contours de la couche à %2 sont de simples points et ont été écartés, le premier à %3</translation>
+    </message>
+    <message>
+        <source>%1 mm² of part %2 lie too far from every bead and are not covered</source>
+        <translation>%1 mm² de la pièce %2 sont trop loin de tout cordon et ne sont pas recouverts</translation>
+    </message>
+    <message>
+        <source>%1, or choose a strategy whose layers begin at the plate</source>
+        <translation>%1, ou choisissez une stratégie dont les couches commencent à la plaque</translation>
+    </message>
+    <message>
+        <source>%1, so that it stands on the plate</source>
+        <translation>%1, pour qu’elle repose sur la plaque</translation>
+    </message>
+    <message>
+        <source>Measured on the surface; 0.667 leaves a level surface (Ding 2015). It is changed a little, so that beads end at both borders.</source>
+        <translation>Mesuré sur la surface ; 0.667 laisse une surface plane (Ding 2015). Elle est un peu ajustée pour que les cordons arrivent aux deux bords.</translation>
+    </message>
+    <message>
+        <source>What lies on the border: the bead&apos;s side or its centre. A centre on the border adds half a bead distance of stock beyond it.</source>
+        <translation>Ce qui se trouve sur le bord : le côté du cordon ou son axe. L’axe sur le bord ajoute au-delà une surépaisseur d’un demi-entraxe de cordons.</translation>
+    </message>
+    <message>
+        <source>Where even the maximum travel speed deposits too much, as in thin layers or in beads side by side, the wire feed of the whole operation is lowered, but not below this value. Set it to the wire feed speed to keep the feed as it is.</source>
+        <translation>Si même la vitesse d’avance maximale dépose trop de matière, comme dans des couches minces ou des cordons côte à côte, la vitesse de fil de toute l’opération est réduite, sans descendre sous cette valeur. Donnez-lui la vitesse de fil pour ne rien changer.</translation>
+    </message>
+    <message>
+        <source>a comma between two digits (position %1) may be a decimal comma or separate two values</source>
+        <translation>une virgule entre deux chiffres (position %1) peut être une virgule décimale ou séparer deux valeurs</translation>
+    </message>
+    <message>
+        <source>a contour of the layer at %1 is a single point and was dropped, at %2</source>
+        <translation>un contour de la couche à %1 est un simple point et a été écarté, en %2</translation>
+    </message>
+    <message>
+        <source>a smaller step, a narrower bead or a smaller maximum width (max_width) covers more</source>
+        <translation>un pas plus petit, un cordon plus étroit ou une largeur maximale plus petite (max_width) recouvre davantage</translation>
+    </message>
+    <message>
+        <source>at the maximum travel speed of %1 mm/s the wire feed of %2 m/min would deposit too much, and %3 m/min is used</source>
+        <translation>à la vitesse d’avance maximale de %1 mm/s, la vitesse de fil de %2 m/min déposerait trop de matière ; %3 m/min est utilisée</translation>
+    </message>
+    <message>
+        <source>choose a pattern that fills the inside (pattern), or more walls</source>
+        <translation>choisissez un motif qui remplit l’intérieur (pattern), ou davantage de parois</translation>
+    </message>
+    <message>
+        <source>choose a pattern that fills the inside, or another bead width</source>
+        <translation>choisissez un motif qui remplit l’intérieur, ou une autre largeur de cordon</translation>
+    </message>
+    <message>
+        <source>choose a plate of %1 by %2 mm or more, and place the part on it</source>
+        <translation>choisissez une plaque d’au moins %1 sur %2 mm et placez-y la pièce</translation>
+    </message>
+    <message>
+        <source>export the part with finer facets if its end is round; otherwise shape it by an operation of its own</source>
+        <translation>exportez la pièce avec des facettes plus fines si son extrémité est ronde ; sinon, faites-la par une opération à part</translation>
+    </message>
+    <message>
+        <source>look for a division by zero or the root of a negative number, and change the formula or its range</source>
+        <translation>cherchez une division par zéro ou la racine d’un nombre négatif, et changez la formule ou son intervalle</translation>
+    </message>
+    <message>
+        <source>lower the part by %1 mm</source>
+        <translation>abaissez la pièce de %1 mm</translation>
+    </message>
+    <message>
+        <source>move the part by (%1, %2, %3) mm, along the plate&apos;s normal</source>
+        <translation>déplacez la pièce de (%1, %2, %3) mm, selon la normale de la plaque</translation>
+    </message>
+    <message>
+        <source>move the part by (%1, %2, %3) mm, or choose a larger plate</source>
+        <translation>déplacez la pièce de (%1, %2, %3) mm, ou choisissez une plaque plus grande</translation>
+    </message>
+    <message>
+        <source>must begin where the piece before it ends, and not %1 mm from there</source>
+        <translation>doit commencer là où finit le morceau précédent, et non à %1 mm de là</translation>
+    </message>
+    <message>
+        <source>only a modulation range of %1 holds these heights, but %2 points instead of %3 would then leave the layer heights of the process: another decomposition or planar layers may suit this end better</source>
+        <translation>seule une plage de modulation de %1 contient ces hauteurs, mais %2 points au lieu de %3 sortiraient alors des hauteurs de couche du procédé : une autre décomposition ou des couches planes conviendraient peut-être mieux à cette extrémité</translation>
+    </message>
+    <message>
+        <source>part %1 floats %2 mm above the plate; its first layer fills what is between</source>
+        <translation>la pièce %1 flotte à %2 mm au-dessus de la plaque ; sa première couche remplit l’intervalle</translation>
+    </message>
+    <message>
+        <source>raise the part by %1 mm</source>
+        <translation>relevez la pièce de %1 mm</translation>
+    </message>
+    <message>
+        <source>set bead_width to %1 mm: %2 % of the volume are then filled (this was tried)</source>
+        <translation>mettez bead_width à %1 mm : %2 % du volume sont alors remplis (essayé)</translation>
+    </message>
+    <message>
+        <source>set max_width to %1 mm: %2 % of the volume are then filled (this was tried)</source>
+        <translation>mettez max_width à %1 mm : %2 % du volume sont alors remplis (essayé)</translation>
+    </message>
+    <message>
+        <source>set pattern to %1: %2 % of the volume are then filled (this was tried)</source>
+        <translation>mettez pattern à %1 : %2 % du volume sont alors remplis (essayé)</translation>
+    </message>
+    <message>
+        <source>the beads hold %1 % of the volume of the layer: they do not reach all of the section</source>
+        <translation>les cordons contiennent %1 % du volume de la couche : ils n’atteignent pas toute la section</translation>
+    </message>
+    <message>
+        <source>the end of part %1 is made of flats: it goes on above the last layer for %2 mm at its corners and for %3 mm between them</source>
+        <translation>l’extrémité de la pièce %1 est faite de plats : elle dépasse la dernière couche de %2 mm à ses coins et de %3 mm entre eux</translation>
+    </message>
+    <message>
+        <source>the formula has no value at z = %1</source>
+        <translation>la formule n’a pas de valeur en z = %1</translation>
+    </message>
+    <message>
+        <source>use another pattern, fewer walls or a narrower bead</source>
+        <translation>prenez un autre motif, moins de parois ou un cordon plus étroit</translation>
+    </message>
+    <message>
+        <source>use narrower beads, allow shorter ones (min_length), or take another pattern or direction</source>
+        <translation>prenez des cordons plus étroits, permettez-en de plus courts (min_length), ou changez de motif ou de direction</translation>
+    </message>
+    <message>
+        <source>write %1, with a decimal point, or %2, with a blank after the comma</source>
+        <translation>écrivez %1, avec un point décimal, ou %2, avec une espace après la virgule</translation>
     </message>
 </context>
 <context>

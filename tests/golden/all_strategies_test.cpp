@@ -125,24 +125,23 @@ TEST_P(AllStrategies, BurnWhatTheyShould) {
 
 constexpr double kCircles = 5 * 2 * kPi * test::kTubeRadius;  // of the tube, mm
 
-INSTANTIATE_TEST_SUITE_P(
-    Twelve,
-    AllStrategies,
-    ::testing::Values(
-        Case{"planar", 5, kCircles},
-        Case{"guide", 5, kCircles},
-        Case{"geodesic", 5, kCircles},
-        Case{"isovalues", 5, kCircles},
-        Case{"constant", 5, kCircles},
-        Case{"isoparam", 5, kCircles},
-        Case{"branches", 5, kCircles},
-        Case{"radial", 5, kCircles},
-        Case{"import", 5, kCircles},
-        // Five revolutions from border to border.
-        Case{"spiral", 1, kCircles},
-        Case{"bulk", 0, 0.0, test::kBox.prod()},
-        // Level from the first centre line to the last one, half a parabola of 6 mm beyond each.
-        Case{"cladding", 0, 0.0, 2.0 * test::kBox.x() * (test::kBox.y() - 6.0 + 2.0 / 3.0 * 6.0)}));
+INSTANTIATE_TEST_SUITE_P(Twelve,
+                         AllStrategies,
+                         ::testing::Values(Case{"planar", 5, kCircles},
+                                           Case{"guide", 5, kCircles},
+                                           Case{"geodesic", 5, kCircles},
+                                           Case{"isovalues", 5, kCircles},
+                                           Case{"constant", 5, kCircles},
+                                           Case{"isoparam", 5, kCircles},
+                                           Case{"branches", 5, kCircles},
+                                           Case{"radial", 5, kCircles},
+                                           Case{"import", 5, kCircles},
+                                           // Five revolutions from border to border.
+                                           Case{"spiral", 1, kCircles},
+                                           Case{"bulk", 0, 0.0, test::kBox.prod()},
+                                           // The face times the layer's height.
+                                           Case{"cladding", 0, 0.0,
+                                                2.0 * test::kBox.x() * test::kBox.y()}));
 
 }  // namespace
 }  // namespace wcam::project

@@ -128,7 +128,7 @@ TEST(Pipeline, ErrorsNameTheOperationAndTheRemedy) {
     (void)compute(document, std::make_shared<StageCache>(), "planar");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::JobFailed);
+    EXPECT_EQ(error.code(), ErrorCode::CheckFailed);
     EXPECT_NE(std::string(error.what()).find("operation 'planar'"), std::string::npos);
     EXPECT_FALSE(error.hint().empty());
   }

@@ -279,6 +279,68 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"'type': 'parametric', 'x': '1', 'y': '1', 'z': '1', 'u': [0, 1], 'v': [0, 1]",
                 "single point"}));
 
+std::string refusalOf(const std::string& surface) {
+  try {
+    (void)importText(surfaceText(surface));
+  } catch (const Error& error) {
+    return std::string(error.what()) + " | " + error.hint();
+  }
+  return {};
+}
+
+TEST(FormulaSurface, ARoundedEndIsCutBackToTheFormula) {
+  for (const char* end : {"38.0000001", "38.00001", "'38*(1+1e-15)'", "38"}) {
+    SCOPED_TRACE(end);
+    const ImportedPart part = importText(surfaceText(
+        "'type': 'revolution', 'radius': 'sqrt(38^2-z^2)', 'z': [0, " + std::string(end) + "]"));
+    // The area is that of the tessellation.
+    EXPECT_NEAR(part.report.area / (2.0 * kPi * 38.0 * 38.0), 1.0, 1e-3);
+    // Its pole is closed: one border, the equator.
+    EXPECT_EQ(part.report.borders.size(), 1U);
+    EXPECT_LE(*part.report.formulaDeviation, 2e-5);
+  }
+  // A real overshoot is refused, and no word of a radius that is negative.
+  const std::string refused =
+      refusalOf("'type': 'revolution', 'radius': 'sqrt(38^2-z^2)', 'z': [0, 38.1]");
+  EXPECT_THAT(refused, testing::HasSubstr("has no value at z"));
+  EXPECT_THAT(refused, testing::HasSubstr("root of a negative number"));
+  EXPECT_THAT(refusalOf("'type': 'revolution', 'radius': '20/(z-5)', 'z': [5, 30]"),
+              testing::HasSubstr("division by zero"));
+}
+
+TEST(FormulaSurface, NearlyClosedIsClosedAndTheTrueGapIsSaid) {
+  const auto tube = [](const char* end) {
+    return "'type': 'parametric', 'x': '25*cos(u)', 'y': '25*sin(u)', 'z': 'v', 'u': [0, " +
+           std::string(end) + "], 'v': [0, 12], 'closed_u': true";
+  };
+  const ImportedPart part = importText(surfaceText(tube("6.2831853")));
+  EXPECT_EQ(part.report.borders.size(), 2U);
+  EXPECT_NEAR(*part.report.formulaDeviation, 25.0 * (2.0 * kPi - 6.2831853), 1e-9);
+  // 25·(2π − 6.28) = 0.0796 mm along y; along x only 0.000127.
+  EXPECT_THAT(refusalOf(tube("6.28")), testing::HasSubstr("0.07963 mm apart"));
+}
+
+TEST(FormulaSurface, PiecesMayLieATraceApart) {
+  const ImportedPart part =
+      importText(surfaceText("'type': 'revolution', 'radius': [{'z': [0, 8], 'radius': 20}, "
+                             "{'z': [8.0000001, 16], 'radius': 20}]"));
+  EXPECT_EQ(part.report.borders.size(), 2U);
+  EXPECT_THAT(refusalOf("'type': 'revolution', 'radius': [{'z': [0, 8], 'radius': 20}, "
+                        "{'z': [8.01, 16], 'radius': 20}]"),
+              testing::HasSubstr("0.01 mm from there"));
+}
+
+TEST(FormulaSurface, ADecimalCommaInAListOfValuesIsRefused) {
+  for (const char* radius : {"max(10, 20+0,3*z)", "min(25,5, 30)", "sum(1,5)", "2*avg(20,30)"}) {
+    SCOPED_TRACE(radius);
+    EXPECT_THAT(
+        refusalOf("'type': 'revolution', 'z': [0, 9], 'radius': '" + std::string(radius) + "'"),
+        testing::HasSubstr("decimal comma"));
+  }
+  EXPECT_EQ(refusalOf("'type': 'revolution', 'z': [0, 9], 'radius': 'max(10, 20+0.3*z)'"), "");
+  EXPECT_EQ(refusalOf("'type': 'revolution', 'z': [0, 9], 'radius': '20+atan2(1,2)'"), "");
+}
+
 TEST(FormulaSurface, NearlyExactIsTakenAndReported) {
   // The profile's curvature jumps at z = 1.3: splines come near, but not to 1e-7 of the size.
   const JobContext context;

@@ -184,6 +184,21 @@ TEST(StepTessellation, FacesStripsFansAndIndices) {
   EXPECT_EQ(raw.bodies[0].name, "corner");
 }
 
+TEST(StepTessellation, APlacementIsNoItemLeftOutAndTheProductGivesTheName) {
+  std::string text = tessellated(
+      "#40=COMPLEX_TRIANGULATED_SURFACE_SET('',#3,4,(),(),(),((1,2,3)));\n"
+      "#41=AXIS2_PLACEMENT_3D('',#42,$,$);\n#42=CARTESIAN_POINT('',(0.,0.,0.));\n"
+      "#60=PRODUCT('id','bracket','',(#61));\n",
+      kMillimetre);
+  text.replace(text.find("(#40),#2"), 8, "(#41,#40),#2");
+  const std::string file = "a.step";
+  const JobContext context;
+  const RawMesh raw = parseTessellatedStep(text, file, context);
+  ASSERT_EQ(raw.bodies.size(), 1U);
+  EXPECT_EQ(raw.bodies[0].name, "bracket");
+  EXPECT_EQ(context.diagnostics().count("import.tessellation_left_out"), 0U);
+}
+
 TEST(StepTessellation, Strips) {
   const std::string items =
       "#40=COMPLEX_TRIANGULATED_SURFACE_SET('',#3,4,(),(),((1,2,3,4)),((1,2,3,4)));\n";

@@ -89,6 +89,7 @@ TEST(ApplyProcess, SpeedsAreClampedToTheWindowWithAFinding) {
   params.speedMin = 3.0_mm_s;
   params.speedMax = 3.5_mm_s;
   params.heightMax = 6.0_mm;
+  params.wireSpeedMin = params.wireSpeed;
   const toolpath::Toolpath path = applyProcess(elbowPath(), params, context);
   for (const toolpath::Layer& layer : path.layers) {
     for (const toolpath::PathPoint& point : layer.beads[0].points) {
@@ -238,6 +239,52 @@ TEST(TouchingBeads, LessWireAtTheMaximumSpeedKeepsTheSection) {
   EXPECT_EQ(path.layers[0].beads[1].points[10].wireSpeed, params.wireSpeed.value());
   EXPECT_EQ(constant.diagnostics().count("process.wire_lowered"), 0U);
   EXPECT_EQ(constant.diagnostics().count("process.speed_clamped"), 1U);
+}
+
+TEST(WireFeed, SingleBeadsThatAreTooThinForTheMaximumSpeedLowerItToo) {
+  ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  params.speedMax = 5.0_mm_s;
+  params.wireSpeed = 4.0_m_min;
+  params.wireSpeedMin = 1.0_m_min;
+  // Walls far apart: what they hold at 5 mm/s is their own section.
+  const auto walls = straightBeads({0.0, 40.0, 80.0}, 1.6);
+  JobContext context;
+  const toolpath::Toolpath path = applyProcess(walls, params, context);
+  const double feed = 5.0 * wallSection(1.6, 6.0) / (kPi / 4.0 * 1.2 * 1.2);
+  EXPECT_LT(feed, params.wireSpeed.value());
+  EXPECT_NEAR(path.layers[0].beads[0].points[10].wireSpeed, feed, 0.02 * feed);
+  const ProcessStatistics s = processStatistics(path, params);
+  EXPECT_NEAR(s.wireVolume / s.wantedVolume, 1.0, 0.0101);
+  EXPECT_EQ(context.diagnostics().count("process.wire_lowered"), 1U);
+  // Within the window nothing changes.
+  JobContext wide;
+  params.speedMax = 50.0_mm_s;
+  (void)applyProcess(walls, params, wide);
+  EXPECT_EQ(wide.diagnostics().count("process.wire_lowered"), 0U);
+}
+
+TEST(WireFeed, ThickPlacesAreNotStarvedForThinOnes) {
+  // A thin bead of 1 mm beside nine high ones that leave the process no slower travel.
+  ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  params.speedMin = 4.0_mm_s;
+  params.speedMax = 5.0_mm_s;
+  params.wireSpeed = 4.0_m_min;
+  params.wireSpeedMin = 1.0_m_min;
+  toolpath::Toolpath path =
+      straightBeads({0.0, 40.0, 80.0, 120.0, 160.0, 200.0, 240.0, 280.0, 320.0, 360.0}, 3.2);
+  for (toolpath::PathPoint& point : path.layers[0].beads[0].points) {
+    point.height = 1.0;
+  }
+  const double fed = kPi / 4.0 * 1.2 * 1.2 * params.wireSpeed.value();
+  ASSERT_GT(wallSection(3.2, 6.0), fed / 4.5);
+  const toolpath::Toolpath done = applyProcess(path, params, JobContext());
+  double missing = 0.0;
+  for (const toolpath::Bead& bead : done.layers[0].beads) {
+    missing += std::max(0.0, beadSection(bead.points[10]) - wireSection(bead, params));
+  }
+  EXPECT_LT(missing / (9.0 * wallSection(3.2, 6.0)), 0.03);
 }
 
 }  // namespace

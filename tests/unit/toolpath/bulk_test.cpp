@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wcam::test {
@@ -172,6 +174,86 @@ TEST(BulkVolume, WireOfABoxIsItsVolumeInEveryPattern) {
     }
     EXPECT_NEAR(whole, 96000.0, 0.03 * 96000.0);
   }
+}
+
+/// A closed ring on z = 0.
+geometry::TriangleMesh ringMesh(double inner, double outer, double height) {
+  geometry::TriangleMesh mesh;
+  constexpr std::uint32_t kAround = 96;
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const double a = 2.0 * kPi * i / kAround;
+    for (const auto& [r, z] :
+         {std::pair{outer, 0.0}, {outer, height}, {inner, height}, {inner, 0.0}}) {
+      mesh.vertices.emplace_back(r * std::cos(a), r * std::sin(a), z);
+    }
+  }
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const std::uint32_t next = (i + 1) % kAround;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t up = (k + 1) % 4;
+      mesh.triangles.push_back({4 * i + k, 4 * next + k, 4 * next + up});
+      mesh.triangles.push_back({4 * i + k, 4 * next + up, 4 * i + up});
+    }
+  }
+  return mesh;
+}
+
+TEST(BulkVolume, NarrowBarsAndRingsAreFilledByEveryPattern) {
+  // From one bead to three beads side by side.
+  process::ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  params.speedMin = Speed(0.1);
+  for (const double width : {6.0, 8.0, 9.5, 12.5}) {
+    for (const bool ring : {false, true}) {
+      const auto part = ring ? meshSurface(ringMesh(30.0, 30.0 + width, 6.0))
+                             : meshSurface(boxMesh(Vec3(-35, 0, 0), Vec3(35, width, 6)));
+      const double outer = 30.0 + width;
+      const double section =
+          ring ? 48.0 * std::sin(2.0 * kPi / 96) * (outer * outer - 900.0) : 70.0 * width;
+      for (const char* pattern : kFullPatterns) {
+        SCOPED_TRACE(std::to_string(width) + (ring ? " ring, " : " bar, ") + pattern);
+        const auto input = inputOf(part);
+        const std::vector<double> wire = wireOfLayers(
+            input, R"({"step": 2.0, "pattern": ")" + std::string(pattern) + "\"}", params);
+        ASSERT_EQ(wire.size(), 3U);
+        for (const double layer : wire) {
+          EXPECT_NEAR(layer / (2.0 * section), 1.0, 0.03);
+        }
+      }
+    }
+  }
+}
+
+TEST(BulkVolume, WallsWithoutAPatternHoldWhatTheyReachOver) {
+  process::ProcessParams params;
+  params.beadWidth = 6.0_mm;
+  const auto input = inputOf(meshSurface(boxMesh(Vec3(-35, -22, 0), Vec3(35, 22, 6))));
+  for (const int walls : {1, 2, 3}) {
+    SCOPED_TRACE(walls);
+    const double reach = 6.0 + (walls - 1) * 0.667 * 6.0;
+    const double section = 70.0 * 44.0 - (70.0 - 2.0 * reach) * (44.0 - 2.0 * reach);
+    for (const double layer : wireOfLayers(
+             input, R"({"step": 2.0, "pattern": "none", "walls": )" + std::to_string(walls) + "}",
+             params)) {
+      EXPECT_NEAR(layer / (2.0 * section), 1.0, 0.03);
+    }
+  }
+}
+
+TEST(BulkVolume, ALayerThatIsNotFilledHasARemedyThatFillsIt) {
+  // Nothing is laid where the bar is narrower than a bead and narrow places stay empty.
+  const auto input = inputOf(meshSurface(boxMesh(Vec3(-35, 0, 0), Vec3(35, 13, 6))));
+  const JobContext context;
+  (void)slice(kBulk, input,
+              R"({"step": 2.0, "pattern": "contour", "fill_narrow": false, "max_width": 6.0})",
+              context);
+  for (const Diagnostic& finding : context.diagnostics().items()) {
+    if (finding.code == "slicing.underfill") {
+      EXPECT_NE(finding.remedy.str().find("this was tried"), std::string::npos)
+          << finding.remedy.str();
+    }
+  }
+  EXPECT_EQ(context.diagnostics().count("slicing.underfill"), 3U);
 }
 
 /// A closed frustum on z = 0.

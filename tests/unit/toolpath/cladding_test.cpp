@@ -12,6 +12,8 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace wcam::test {
 namespace {
@@ -107,12 +109,12 @@ TEST(Cladding, PlaneTakesLinesAtTheOverlapDistance) {
   ASSERT_EQ(sliced.layers.size(), 3U);
   checkBeads(sliced, [](const Vec3&) { return Vec3::UnitZ(); });
   for (std::size_t j = 0; j < 3; ++j) {
-    // (60 − 6) / 4.002: 13 distances, 14 lines, shared margins.
+    // (60 − 6) / 4.002 = 13.5: 14 distances of 54/14, the outer sides on the border.
     const auto& contours = sliced.layers[j].contours;
-    ASSERT_EQ(contours.size(), 14U);
+    ASSERT_EQ(contours.size(), 15U);
     for (std::size_t k = 0; k < contours.size(); ++k) {
       EXPECT_EQ(contours[k].group, static_cast<int>(k));
-      const double y = 30.0 + (static_cast<double>(k) - 6.5) * kSpacing;
+      const double y = 3.0 + static_cast<double>(k) * 54.0 / 14.0;
       for (const auto& point : contours[k].points) {
         EXPECT_NEAR(point.p.y(), y, 1e-6);
         EXPECT_NEAR(point.p.z(), 2.0 * static_cast<double>(j + 1), 1e-9);
@@ -142,7 +144,7 @@ TEST(Cladding, LinesAlongACylinderAreEquallyFarOnTheSurface) {
       slice(kCladding, inputOf(halfCylinder(60.0)),
             R"({"pattern": "parallel", "direction": [0, 1, 0], "first_layer": 0})");
   // Planes y = const meet the half cylinder in two lines each, one on the other side of the top
-  // belongs to another plane: one line per plane and arc distance 4.002.
+  // belongs to another plane: one line per plane and one arc distance, 4.002 or a little less.
   std::vector<double> angles;
   for (const Contour& contour : sliced.layers[0].contours) {
     const Vec3& p = contour.points.front().p;
@@ -150,9 +152,13 @@ TEST(Cladding, LinesAlongACylinderAreEquallyFarOnTheSurface) {
   }
   std::sort(angles.begin(), angles.end());
   ASSERT_GE(angles.size(), 13U);
+  const double distance =
+      20.0 * (angles.back() - angles.front()) / static_cast<double>(angles.size() - 1);
+  EXPECT_LE(distance, 1.1 * kSpacing);
+  EXPECT_GE(distance, 0.9 * kSpacing);
   for (std::size_t k = 1; k < angles.size(); ++k) {
     // The surface steeper than the planes' limit at both borders is left out.
-    EXPECT_NEAR(20.0 * (angles[k] - angles[k - 1]), kSpacing, 0.06) << k;
+    EXPECT_NEAR(20.0 * (angles[k] - angles[k - 1]), distance, 0.06) << k;
   }
 }
 
@@ -190,8 +196,10 @@ TEST(Cladding, ConcentricBeadsFollowTheBorder) {
       nearest =
           std::min({nearest, point.p.x(), point.p.y(), 100.0 - point.p.x(), 60.0 - point.p.y()});
     }
-    const double k = std::round((nearest - 3.0) / kSpacing);
-    EXPECT_NEAR(nearest, 3.0 + k * kSpacing, 0.05);
+    // The middle line lies 27 mm from the outermost bead: 7 distances and a half.
+    constexpr double kFitted = 27.0 / 7.5;
+    const double k = std::round((nearest - 3.0) / kFitted);
+    EXPECT_NEAR(nearest, 3.0 + k * kFitted, 0.05);
   }
   const SlicedLayers round =
       slice(kCladding, inputOf(dome()), R"({"pattern": "concentric", "first_layer": 0})");
@@ -204,9 +212,119 @@ TEST(Cladding, ConcentricBeadsFollowTheBorder) {
       low = low == 10.0 ? arc : std::min(low, arc);
       high = std::max(high, arc);
     }
-    EXPECT_LT(high - low, 0.15);
-    const double k = std::round((40.0 - 3.0 - low) / kSpacing);
-    EXPECT_NEAR(40.0 - low, 3.0 + k * kSpacing, 0.15);
+    // The innermost ring turns around the pole in half a bead distance.
+    EXPECT_LT(high - low, low < kSpacing ? 0.2 : 0.15);
+    constexpr double kFitted = 37.0 / 9.5;
+    const double k = std::round((40.0 - 3.0 - low) / kFitted);
+    EXPECT_NEAR(40.0 - low, 3.0 + k * kFitted, 0.15);
+  }
+}
+
+/// Material of a layer, mm³.
+double volumeOf(const toolpath::SlicedLayer& layer) {
+  double volume = 0.0;
+  for (const Contour& contour : layer.contours) {
+    const auto& points = contour.points;
+    for (std::size_t i = contour.closed ? 0 : 1; i < points.size(); ++i) {
+      const auto& before = points[i > 0 ? i - 1 : points.size() - 1];
+      EXPECT_GT(points[i].fillWidth, 0.0);
+      volume += points[i].fillWidth * points[i].height * (points[i].p - before.p).norm();
+    }
+  }
+  return volume;
+}
+
+/// A disc in the plane z = 0.
+geometry::TriangleMesh disc(double radius) {
+  geometry::TriangleMesh mesh;
+  constexpr std::uint32_t kSides = 72;
+  mesh.vertices.emplace_back(0.0, 0.0, 0.0);
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double a = 2.0 * kPi * i / kSides;
+    mesh.vertices.emplace_back(radius * std::cos(a), radius * std::sin(a), 0.0);
+    mesh.triangles.push_back({0, i + 1, (i + 1) % kSides + 1});
+  }
+  return mesh;
+}
+
+TEST(Cladding, LayersHoldTheirAreaTimesTheirHeight) {
+  struct Case {
+    const char* name;
+    geometry::TriangleMesh mesh;
+    const char* direction;
+    std::function<double(double)> area;  ///< at a height above the surface
+    double allowed;
+  };
+
+  const double sector = 2.0 * kPi * 40.0 * (1.0 - std::cos(1.0));
+  const std::vector<Case> cases = {
+      {"two triangles", grid(1, 1, [](double u, double v) { return Vec3(71 * u, 43 * v, 0); }),
+       "[0, 1, 0]", [](double) { return 71.0 * 43.0; }, 0.02},
+      {"long", plane(150.0, 31.0), "[1, 0, 0]", [](double) { return 150.0 * 31.0; }, 0.02},
+      {"narrower than two beads", plane(80.0, 9.0), "[0, 1, 0]", [](double) { return 720.0; },
+       0.02},
+      {"wall", halfCylinder(60.0), "[1, 0, 0]", [](double h) { return kPi * (20.0 + h) * 60.0; },
+       0.02},
+      {"disc", disc(35.0), "[0, 1, 0]",
+       [](double) { return 36.0 * 35.0 * 35.0 * std::sin(kPi / 36); }, 0.03},
+      {"dome", dome(), "[1, 0, 0]",
+       [&](double h) { return sector * (40.0 + h) * (40.0 + h) / 40.0; }, 0.03}};
+  for (const Case& c : cases) {
+    for (const char* pattern : {"parallel", "zigzag", "concentric"}) {
+      SCOPED_TRACE(std::string(c.name) + ", " + pattern);
+      const JobContext context;
+      const SlicedLayers sliced =
+          slice(kCladding, inputOf(c.mesh),
+                R"({"layers": 2, "step": 1.5, "pattern": ")" + std::string(pattern) +
+                    R"(", "direction": )" + c.direction + "}",
+                context);
+      ASSERT_EQ(sliced.layers.size(), 2U);
+      for (std::size_t l = 0; l < 2; ++l) {
+        const double wanted = 1.5 * c.area(1.5 * (static_cast<double>(l) + 0.5));
+        EXPECT_NEAR(volumeOf(sliced.layers[l]) / wanted, 1.0, c.allowed);
+      }
+      EXPECT_EQ(context.diagnostics().count("slicing.uncovered"), 0U);
+    }
+  }
+}
+
+TEST(Cladding, SidesOfTheOuterBeadsLieOnTheBorder) {
+  for (const auto& [length, width] : {std::pair{71.0, 43.0}, {50.0, 38.5}, {33.0, 90.0}}) {
+    for (const char* pattern : {"parallel", "zigzag", "concentric"}) {
+      SCOPED_TRACE(std::to_string(length) + ", " + pattern);
+      const SlicedLayers sliced =
+          slice(kCladding, inputOf(plane(length, width)),
+                R"({"direction": [0, 1, 0], "pattern": ")" + std::string(pattern) + R"("})");
+      Vec3 low(1e9, 1e9, 0.0);
+      Vec3 high(-1e9, -1e9, 0.0);
+      for (const Contour& contour : sliced.layers[0].contours) {
+        for (const auto& point : contour.points) {
+          low = low.cwiseMin(point.p);
+          high = high.cwiseMax(point.p);
+        }
+      }
+      EXPECT_NEAR(low.x(), 3.0, 0.02);
+      EXPECT_NEAR(low.y(), 3.0, 0.02);
+      EXPECT_NEAR(high.x(), length - 3.0, 0.02);
+      EXPECT_NEAR(high.y(), width - 3.0, 0.02);
+    }
+  }
+}
+
+TEST(Cladding, AHoleInTheSurfaceKeepsItsDistance) {
+  // A plate of 80 by 60 with a square hole of 20 in its middle.
+  geometry::TriangleMesh mesh =
+      grid(8, 6, [](double u, double v) { return Vec3(80 * u, 60 * v, 0); });
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    const Vec3 c = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
+    return std::abs(c.x() - 40.0) < 10.0 && std::abs(c.y() - 30.0) < 10.0;
+  });
+  for (const char* pattern : {"parallel", "zigzag", "concentric"}) {
+    SCOPED_TRACE(pattern);
+    const SlicedLayers sliced = slice(
+        kCladding, inputOf(mesh),
+        R"({"direction": [0, 1, 0], "step": 2, "pattern": ")" + std::string(pattern) + R"("})");
+    EXPECT_NEAR(volumeOf(sliced.layers[0]) / (2.0 * 4400.0), 1.0, 0.03);
   }
 }
 

@@ -192,7 +192,10 @@ TEST_P(EveryPattern, RoomsOfTheBeadsAreTheSection) {
       for (int k = 0; k <= 20; ++k) {
         const double width = rooms[b].at(0.05 * k * length);
         ASSERT_GE(width, options.overlap * options.minWidth - 1e-12);
-        ASSERT_LE(width, options.maxWidth + 1e-12);
+        // Within a bead width of an open bead's ends, what lies around them is laid.
+        const double toEnd = std::min(0.05 * k, 1.0 - 0.05 * k) * length;
+        const bool end = !fill.beads[b].closed && toEnd <= 1.5 * options.width;
+        ASSERT_LE(width, (end ? 3.0 : 1.0) * options.maxWidth + 1e-12);
       }
     }
   }

@@ -1,11 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The WCAM developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "wcam/base/quantity.hpp"
+
 #include "sample_meshes.hpp"
 #include "slicing_fixture.hpp"
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace wcam::toolpath {
 namespace {
@@ -117,6 +123,90 @@ TEST(RadialSlicing, HalfPlanesCutARingIntoCircles) {
     // Layers grow about +z.
     EXPECT_NEAR(sliced.layers[l].up.dot(Vec3(-std::sin(angle), std::cos(angle), 0.0)), 1.0, 1e-3);
   }
+}
+
+/// A ring of flat facets between two radii: a sheet at z = 4, or a solid from there on.
+geometry::TriangleMesh facetRing(double inner, double outer, std::uint32_t facets, double thick) {
+  geometry::TriangleMesh mesh;
+  const std::vector<std::array<double, 2>> profile =
+      thick > 0.0 ? std::vector<std::array<double, 2>>{{inner, 4.0},
+                                                       {outer, 4.0},
+                                                       {outer, 4.0 + thick},
+                                                       {inner, 4.0 + thick}}
+                  : std::vector<std::array<double, 2>>{{outer, 4.0}, {inner, 4.0}};
+  const auto rows = static_cast<std::uint32_t>(profile.size());
+  for (std::uint32_t i = 0; i < facets; ++i) {
+    const double a = 0.3 + 2.0 * kPi * i / facets;
+    for (const auto& [radius, z] : profile) {
+      mesh.vertices.emplace_back(radius * std::cos(a), radius * std::sin(a), z);
+    }
+  }
+  for (std::uint32_t i = 0; i < facets; ++i) {
+    const std::uint32_t next = (i + 1) % facets;
+    for (std::uint32_t r = 0; r + (thick > 0.0 ? 0 : 1) < rows; ++r) {
+      const std::uint32_t up = (r + 1) % rows;
+      mesh.triangles.push_back({i * rows + r, next * rows + r, next * rows + up});
+      mesh.triangles.push_back({i * rows + r, next * rows + up, i * rows + up});
+    }
+  }
+  return mesh;
+}
+
+TEST(RadialSlicing, LastLayerLiesOnTheOuterSurfaceOfFacets) {
+  for (const double thick : {0.0, 3.0}) {
+    for (const std::uint32_t facets : {24U, 31U, 48U, 90U}) {
+      for (const char* step : {"2.9", "2.75"}) {
+        SCOPED_TRACE(std::to_string(facets) + " facets, thick " + std::to_string(thick));
+        JobContext context;
+        // 13.75 mm are five layers of 2.75 mm; the start is the inner border.
+        const SlicedLayers sliced =
+            test::slice("wcam.slicing.radial",
+                        inputOf(test::meshSurface(facetRing(17.0, 30.75, facets, thick))),
+                        std::string(R"({"last_layer": "fit", "step": )") + step + "}", context);
+        ASSERT_EQ(sliced.layers.size(), 5U);
+        for (std::size_t l = 0; l < 5; ++l) {
+          const double radius = 17.0 + 2.75 * static_cast<double>(l + 1);
+          EXPECT_NEAR(sliced.layers[l].level, radius, 1e-6);
+          ASSERT_EQ(sliced.layers[l].contours.size(), thick > 0.0 ? 2U : 1U);
+          for (const Contour& contour : sliced.layers[l].contours) {
+            EXPECT_TRUE(contour.closed);
+            for (const ContourPoint& point : contour.points) {
+              const double r = std::hypot(point.p.x(), point.p.y());
+              EXPECT_LE(r, radius + 0.02);
+              EXPECT_GE(r, radius * std::cos(kPi / facets) - 0.02);
+            }
+          }
+        }
+        EXPECT_EQ(context.diagnostics().count("slicing.degenerate_contour"), 0U);
+        EXPECT_EQ(context.diagnostics().count("slicing.rest"), 0U);
+        EXPECT_EQ(context.diagnostics().count("slicing.step_fitted"), step[2] == '9' ? 1U : 0U);
+      }
+    }
+  }
+}
+
+TEST(RadialSlicing, RestAtAPrismIsAFinding) {
+  // An octagon of 30 mm: its sides are 2.28 mm nearer than its corners, which is no chord error.
+  JobContext context;
+  const SlicedLayers sliced =
+      test::slice("wcam.slicing.radial", inputOf(test::meshSurface(facetRing(20.0, 30.0, 8, 0.0))),
+                  R"({"step": 2.8, "start": 20.0, "last_layer": "fit"})", context);
+  EXPECT_NEAR(sliced.layers.back().level, 28.4, 1e-9);
+  const auto found = context.diagnostics().items();
+  const auto rest = std::find_if(found.begin(), found.end(),
+                                 [](const Diagnostic& d) { return d.code == "slicing.rest"; });
+  ASSERT_NE(rest, found.end());
+  EXPECT_NE(rest->message.str().find("1.600 mm at its corners"), std::string::npos)
+      << rest->message.str();
+}
+
+TEST(RadialSlicing, PointsOfALayerAreOneFinding) {
+  // At the corners of the octagon the layer at 30 mm has eight points.
+  JobContext context;
+  (void)test::slice("wcam.slicing.radial",
+                    inputOf(test::meshSurface(facetRing(20.0, 30.0, 8, 0.0))),
+                    R"({"step": 2.5, "start": 20.0})", context);
+  EXPECT_LE(context.diagnostics().count("slicing.degenerate_contour"), 1U);
 }
 
 TEST(RadialSlicing, BadParametersAreRefused) {

@@ -39,6 +39,7 @@ public:
     Vec3 a = Vec3::Zero();
     Vec3 b = Vec3::Zero();
     double fraction = 0.0;
+    std::uint32_t number = 0;  ///< in the order of adding
   };
 
   /// There must be a segment.

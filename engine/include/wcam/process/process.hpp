@@ -44,9 +44,10 @@ double travelSpeed(double height, double width, const ProcessParams& params) noe
 /// Height that a travel speed deposits, the inverse of travelSpeed, mm; limited to the bead width.
 double depositedHeight(double speed, const ProcessParams& params) noexcept;
 
-/// Wire feed of the whole operation, mm/s: the process's, or less where beads side by side would
-/// get too much at the maximum travel speed: the highest feed that deposits at most 1 % too much,
-/// in hundredths of a m/min, not below wireSpeedMin. One feed, since it usually belongs to the job
+/// Wire feed of the whole operation, mm/s: the process's, or less where beads would get too much at
+/// the maximum travel speed: the highest feed that deposits at most 1 % too much, in hundredths of
+/// a m/min, not below wireSpeedMin, nor where more would then be missing at the minimum speed. One
+/// feed, since it usually belongs to the job
 /// of the welding source.
 /// @param path with the widths that its beads fill
 double operationWireSpeed(const toolpath::Toolpath& path, const ProcessParams& params);

@@ -17,6 +17,7 @@ namespace wcam::toolpath {
 /// Findings:
 /// - slicing.below_plate: a part reaches below the plate, and what lies there gets no layers: how
 ///   deep it reaches, and by how much it has to be raised;
+/// - slicing.floating: a part stands neither on the plate nor on another part: how high it floats;
 /// - slicing.bead_in_plate: beads lie inside the plate (layers around an axis): how deep and where,
 /// a
 ///   violation;

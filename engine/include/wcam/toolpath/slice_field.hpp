@@ -27,6 +27,9 @@ public:
   /// Largest jump of scalar() between the ends of a mesh edge of this length, beyond which the
   /// field is torn there and the triangle carries no curve; infinity for a continuous field.
   [[nodiscard]] virtual double largestJump(double edgeLength) const;
+  /// Values at the vertices of a part's mesh where they are not those of scalar(): where facets
+  /// stand for a round surface. Empty, as by default: they are.
+  [[nodiscard]] virtual std::vector<double> vertexValues(std::size_t part) const;
 };
 
 /// One wanted layer.
@@ -41,7 +44,8 @@ struct LayerLevel {
 /// substrate, sampled by chord error and spacing together with corners kept.
 ///
 /// Findings: slicing.refinement_failed (a node kept its mesh position), slicing.degenerate_contour
-/// (a contour that is a point was dropped), slicing.empty_layer, slicing.below_substrate.
+/// (contours that are points were dropped, one finding per layer), slicing.empty_layer,
+/// slicing.below_substrate.
 /// @throws Error(JobFailed) when no layer meets the part.
 /// Cost: one field value per vertex, O(nodes) tracing, a few surface evaluations per point;
 /// parallel over levels.
