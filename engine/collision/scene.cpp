@@ -36,6 +36,12 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// One of them says not to compare it with the other.
+bool ignored(const Item& a, const Item& b) {
+  return contains(a.shape.ignore, b.shape.name) || contains(b.shape.ignore, a.shape.name) ||
+         contains(a.shape.ignore, b.shape.frame) || contains(b.shape.ignore, a.shape.frame);
+}
+
 /// How good the spheres of a shape are: round shapes are covered tightly.
 double looseness(const Item& item) {
   double loosest = 0.0;
@@ -203,9 +209,7 @@ bool Scene::isLink(const Item& item) const {
 }
 
 bool Scene::comparable(const Item& a, const Item& b) const {
-  if (a.body == b.body || contains(a.shape.ignore, b.shape.name) ||
-      contains(b.shape.ignore, a.shape.name) || contains(a.shape.ignore, b.shape.frame) ||
-      contains(b.shape.ignore, a.shape.frame)) {
+  if (a.body == b.body || ignored(a, b)) {
     return false;
   }
   // The base belongs to the robot for the robot, to the positioner for the positioner.
@@ -247,6 +251,37 @@ void Scene::findPairs() {
                });
   complete(all_);
   complete(torch_);
+  findStanding();
+}
+
+void Scene::findStanding() {
+  const auto jointTo = [this](const Item& item) {
+    return item.body == partBody_ ? -1 : std::max(item.body, partBody_) - 1;
+  };
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].kind == BodyKind::Substrate) {
+      standing_.substrate = static_cast<int>(i);
+    }
+  }
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const Item& item = items_[i];
+    const auto k = static_cast<int>(i);
+    if (item.kind == BodyKind::Substrate) {
+      continue;
+    }
+    const std::vector<int>& moving = all_.againstPart;
+    if (!contains(item.shape.ignore, "part") &&
+        std::find(moving.begin(), moving.end(), k) == moving.end()) {
+      standing_.withPart.push_back({k, jointTo(item)});
+    }
+    if (standing_.substrate < 0) {
+      continue;
+    }
+    const Item& substrate = items_[static_cast<std::size_t>(standing_.substrate)];
+    if (!ignored(item, substrate) && !comparable(item, substrate)) {
+      standing_.withSubstrate.push_back({k, jointTo(item)});
+    }
+  }
 }
 
 /// Substrate first, since it is what the torch is nearest to; then the lists that follow from the

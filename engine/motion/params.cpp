@@ -70,9 +70,10 @@ void addRedundancy(Schema<MotionParams>& schema) {
            {.key = "cable_limit",
             .label = "Limit of the cable's twist",
             .help =
-                "Of |J4 + J6|, from the untwisted cable's value; 0 takes the limit and the zero of "
-                "the cell file, if it has them. 120 deg is usual for torch cables (Chalvin A33); "
-                "a large value lifts the limit.",
+                "Of |J4 + J6|, from the untwisted cable's value; more is a violation. 0 takes the "
+                "limit "
+                "and the zero of the cell file, if it has them. 120 deg is usual for torch cables "
+                "(Chalvin A33); a large value lifts the limit.",
             .group = "Redundancy",
             .min = 0,
             .max = 3600})
