@@ -35,9 +35,9 @@ constexpr int kPathVersion = 3;
 constexpr int kEditsVersion = 3;
 constexpr int kProcessVersion = 3;
 constexpr int kCellVersion = 3;
-constexpr int kMotionVersion = 5;
+constexpr int kMotionVersion = 6;
 constexpr int kProgramVersion = 3;
-constexpr int kRemediesVersion = 1;
+constexpr int kRemediesVersion = 2;
 
 std::string placementText(const Placement& placement) {
   std::string text;
@@ -105,9 +105,30 @@ OperationError::~OperationError() = default;
 
 namespace {
 
+/// Ids of the post-processors that write for a controller.
+std::vector<std::string> postsFor(const plugin::PluginHost& plugins,
+                                  const std::string& controller) {
+  std::vector<std::string> ids;
+  for (const plugin::ComponentEntry& component : plugins.components()) {
+    if (component.kind != plugin::ComponentKind::Post) {
+      continue;
+    }
+    try {
+      const std::vector<std::string>& own = plugins.findPost(component.id)->info.controllers;
+      if (std::find(own.begin(), own.end(), controller) != own.end()) {
+        ids.push_back(component.id);
+      }
+    } catch (const Error&) {
+      continue;  // refused: no advice
+    }
+  }
+  return ids;
+}
+
 /// Joint values, frames and configurations of one make mean something else on another.
 void checkController(const plugin::ComponentInfo& post,
                      const program::Program& program,
+                     const plugin::PluginHost& plugins,
                      const JobContext& context) {
   const std::string& controller = program.cell.controller;
   if (post.controllers.empty() || std::find(post.controllers.begin(), post.controllers.end(),
@@ -125,13 +146,16 @@ void checkController(const plugin::ComponentInfo& post,
          {}});
     return;
   }
+  const std::vector<std::string> fitting = postsFor(plugins, controller);
   context.add(
       {Severity::Warning,
        "post.other_controller",
        text("the controller of the cell is %1, the program is written for %2", {controller, makes}),
-       text("use a post-processor that writes for %1, where there is one; otherwise check every "
-            "joint value and frame before the program runs",
-            {controller}),
+       fitting.empty()
+           ? text("no post-processor that is installed writes for %1: check every joint value and "
+                  "frame before the program runs",
+                  {controller})
+           : text("use %1, which writes for %2", {joinText(fitting, ", "), controller}),
        {program.name},
        {}});
 }
@@ -643,7 +667,7 @@ std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
   const auto post = plugins_->findPost(output.post);
   try {
     const Value params = post->info.params.complete(output.params, "params");
-    checkController(post->info, *result.program, context);
+    checkController(post->info, *result.program, *plugins_, context);
     return post->post->post(*result.program, params, context);
   } catch (const Error& error) {
     rethrowIn(error, text("output '%1', operation '%2'", {output.id, result.id}));
