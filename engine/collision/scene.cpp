@@ -15,16 +15,31 @@ namespace wcam::collision::detail {
 
 namespace {
 
+/// Usual names of shapes, as in the cells that come with the program, can be said in other
+/// languages.
+Text shapeName(const std::string& name) {
+  static const std::vector<Text> kUsual = {
+      text("pedestal"), text("shoulder"), text("upper arm"),      text("elbow"),
+      text("forearm"),  text("wrist"),    text("wrist plate"),    text("torch body"),
+      text("neck"),     text("nozzle"),   text("cable envelope"), text("table"),
+      text("holder"),   text("platter"),  text("tilt unit"),      text("floor"),
+      text("stand"),    text("spindle"),  text("clamp"),          text("fixture"),
+      text("column"),   text("wall"),     text("fence"),          text("cabinet")};
+  const auto usual = std::find_if(kUsual.begin(), kUsual.end(),
+                                  [&](const Text& own) { return own.pattern() == name; });
+  return usual != kUsual.end() ? *usual : Text(name);
+}
+
 Text labelOf(BodyKind kind, const std::string& name) {
   switch (kind) {
     case BodyKind::Torch:
-      return text("torch %1", {name});
+      return text("torch %1", {shapeName(name)});
     case BodyKind::Robot:
-      return text("robot %1", {name});
+      return text("robot %1", {shapeName(name)});
     case BodyKind::Positioner:
-      return text("positioner %1", {name});
+      return text("positioner %1", {shapeName(name)});
     case BodyKind::Obstacle:
-      return text("obstacle %1", {name});
+      return text("obstacle %1", {shapeName(name)});
     case BodyKind::Substrate:
     case BodyKind::Part:
       break;

@@ -15,6 +15,7 @@
 #include "wcam/toolpath/edit_findings.hpp"
 #include "wcam/toolpath/part_coverage.hpp"
 
+#include "part_names.hpp"
 #include "part_wall.hpp"
 #include "remedies.hpp"
 #include "stage_size.hpp"
@@ -431,7 +432,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   result.id = operation.id;
   result.strategy = operation.strategy;
   const auto collectFrom = [&](const auto& staged) {
-    collect(result.findings, staged.findings, operation.id);
+    collect(result.findings, detail::withPartNames(staged.findings, operation.parts), operation.id);
   };
 
   plugin::SliceInput input;

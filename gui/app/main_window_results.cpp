@@ -151,7 +151,10 @@ std::vector<FindingRow> MainWindow::findingRows() const {
     }
   }
   for (const Diagnostic& finding : results.findings) {
-    rows.push_back(rowOf(finding));
+    // The first save brings the files to the project.
+    if (!session_->file().empty() || finding.code != "project.path_absolute") {
+      rows.push_back(rowOf(finding));
+    }
   }
   for (const GeneratedOperation& operation : results.operations) {
     // Those of an old path are about layers that may be gone.
