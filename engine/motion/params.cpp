@@ -151,7 +151,8 @@ void addTorch(Schema<MotionParams>& schema) {
            .help =
                "Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one "
                "that reaches all points inside the limits, if it can with the shoulder to "
-               "the front and the elbow up, and with the largest margin.",
+               "the front and the elbow up, and with the largest margin; where that one collides, "
+               "breaks limits or twists the cable too far, the first one without violations.",
            .group = "Torch",
            .choices = {{"auto", "Automatic"},
                        {"nut", "N U T"},

@@ -382,12 +382,12 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind, bool an
       }
     }
   }
-  const bool slicing = kind == ComponentKind::Slicing;
+  const bool isStrategy = kind == ComponentKind::Slicing;
   const std::string name(id);
   if (!reasons.empty()) {
     throw Error(ErrorCode::PluginRefused,
                 text(any       ? "component '%1' cannot be used: %2"
-                     : slicing ? "strategy '%1' cannot be used: %2"
+                     : isStrategy ? "strategy '%1' cannot be used: %2"
                                : "post-processor '%1' cannot be used: %2",
                      {name, joinTexts(reasons, "; ")}),
                 {}, "install a plugin that fits, or see `camcli plugins list`");
@@ -411,7 +411,7 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind, bool an
   }
   throw Error(ErrorCode::PluginMissing,
               text(any       ? "no plugin provides the component '%1'"
-                   : slicing ? "no plugin provides the strategy '%1'"
+                   : isStrategy ? "no plugin provides the strategy '%1'"
                              : "no plugin provides the post-processor '%1'",
                    {name}),
               {}, hint);
