@@ -4,6 +4,7 @@
 #include "move_bar.hpp"
 
 #include "icons.hpp"
+#include "text.hpp"
 
 #include <QComboBox>
 #include <QHBoxLayout>
