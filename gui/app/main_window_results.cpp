@@ -216,7 +216,7 @@ void MainWindow::showState() {
                          .arg(qt(path->result().id))
                          .arg(path->layerCount())
                          .arg(path->result().path->pointCount())
-                         .arg(QString("%1 min").arg(path->totalTime() / 60.0, 0, 'f', 1)));
+                         .arg(QString("%1 min").arg(figureText(path->totalTime() / 60.0, 1))));
   } else {
     status_->setText(session_->document().project().parts.empty()
                          ? tr("Drop a CAD file here, or choose File › Import part")

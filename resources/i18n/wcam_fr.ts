@@ -9238,6 +9238,10 @@
         <source>write speeds with more decimals (speed_decimals)</source>
         <translation>écrire les vitesses avec plus de décimales (speed_decimals)</translation>
     </message>
+    <message>
+        <source>Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one that reaches all points inside the limits, if it can with the shoulder to the front and the elbow up, and with the largest margin; where that one collides, breaks limits or twists the cable too far, the first one without violations.</source>
+        <translation>Poignet N ou F, coude en haut ou en bas, épaule vers l&apos;avant ou l&apos;arrière. Automatique en prend une qui atteint tous les points dans les limites, si possible l&apos;épaule vers l&apos;avant et le coude en haut, et avec la plus grande marge ; si celle-ci entre en collision, dépasse des limites ou tord trop le câble, la première sans violation.</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
