@@ -17,8 +17,10 @@ struct Overlap {
 /// Of two convex solids, both in one frame. The widths of the overlap are compared in the
 /// directions of axes, edges and centres and over the sphere, and the best direction is refined:
 /// for boxes exact, else to about a thousandth. Never less than the least translation; a result
-/// that is not positive proves that the solids are apart. About 50 µs.
-Overlap leastTranslation(const Primitive& a, const Pose& T_a, const Primitive& b, const Pose& T_b);
+/// that is not positive proves that the solids are apart. About 0.3 ms.
+/// @param enough a depth that is not of interest: nothing more is looked for below it
+Overlap leastTranslation(
+    const Primitive& a, const Pose& T_a, const Primitive& b, const Pose& T_b, double enough = 0.0);
 
 /// The rod as a solid in the frame of poseOf(rod).
 Primitive primitiveOf(const Rod& rod);

@@ -172,7 +172,7 @@ private:
 };
 
 Depth solidInSolid(const Item& a, const Pose& T_a, const Item& b, const Pose& T_b) {
-  const Overlap found = leastTranslation(a.solid, T_a, b.solid, T_b);
+  const Overlap found = leastTranslation(a.solid, T_a, b.solid, T_b, kStandingContact);
   return {found.depth, found.point, found.way};
 }
 

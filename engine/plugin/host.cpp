@@ -386,9 +386,9 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind, bool an
   const std::string name(id);
   if (!reasons.empty()) {
     throw Error(ErrorCode::PluginRefused,
-                text(any       ? "component '%1' cannot be used: %2"
+                text(any          ? "component '%1' cannot be used: %2"
                      : isStrategy ? "strategy '%1' cannot be used: %2"
-                               : "post-processor '%1' cannot be used: %2",
+                                  : "post-processor '%1' cannot be used: %2",
                      {name, joinTexts(reasons, "; ")}),
                 {}, "install a plugin that fits, or see `camcli plugins list`");
   }
@@ -410,9 +410,9 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind, bool an
     hint = text("its maker is the owner of %1; %2", {maker, hint});
   }
   throw Error(ErrorCode::PluginMissing,
-              text(any       ? "no plugin provides the component '%1'"
+              text(any          ? "no plugin provides the component '%1'"
                    : isStrategy ? "no plugin provides the strategy '%1'"
-                             : "no plugin provides the post-processor '%1'",
+                                : "no plugin provides the post-processor '%1'",
                    {name}),
               {}, hint);
 }

@@ -452,9 +452,9 @@ std::vector<project::Command> OperationDialog::commands() const {
   std::vector<project::Command> commands;
   const project::Project& project = session_.document().project();
   if (project.substrates.empty()) {
-    const std::filesystem::path cell =
-        project.cell.path.empty() ? std::filesystem::path()
-                                  : project::resolvePath(session_.base(), project.cell);
+    const std::filesystem::path cell = project.cell.path.empty()
+                                           ? std::filesystem::path()
+                                           : project::resolvePath(session_.base(), project.cell);
     commands.push_back({"substrate.add", project::newPlate(cell)});
   }
   if (project.processes.empty()) {

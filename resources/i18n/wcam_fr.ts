@@ -3337,10 +3337,6 @@
         <translation>Repliées : à moins de 180 degrés des deux côtés. Continues : la valeur voisine de celle du point précédent, aussi au-delà de 180 degrés.</translation>
     </message>
     <message>
-        <source>Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one that reaches all points inside the limits, if it can with the shoulder to the front and the elbow up, and with the largest margin.</source>
-        <translation>Poignet N ou F, coude en haut ou en bas, épaule devant ou derrière. Automatique en prend une qui atteint tous les points dans les butées, si possible avec l’épaule devant et le coude en haut, et avec la plus grande marge.</translation>
-    </message>
-    <message>
         <source>Writes positions in the frame of the turning table, with $BASE = EK(...): the speed then holds on the part. Without it positions are in the robot base frame.</source>
         <translation>Écrit les positions dans le repère du plateau tournant, avec $BASE = EK(...) : la vitesse vaut alors sur la pièce. Sans cela les positions sont dans le repère de base du robot.</translation>
     </message>
@@ -8485,10 +8481,6 @@
     <message>
         <source>Minimum wire feed speed</source>
         <translation>Vitesse de fil minimale</translation>
-    </message>
-    <message>
-        <source>Of |J4 + J6|, from the untwisted cable&apos;s value; 0 takes the limit and the zero of the cell file, if it has them. 120 deg is usual for torch cables (Chalvin A33); a large value lifts the limit.</source>
-        <translation>Pour |J4 + J6|, à partir de la valeur du câble non vrillé ; 0 prend la limite et le zéro du fichier de cellule, s’il les donne. 120° est courant pour les faisceaux de torche (Chalvin A33) ; une grande valeur lève la limite.</translation>
     </message>
     <message>
         <source>Part of the wanted speed below which the torch must not fall with the arc on, as a mean over a bead&apos;s width: what passes within that, as the slow-down at ends and corners, melts into one pool. Below is a violation.</source>

@@ -187,8 +187,7 @@ TEST_F(Posts, ANewProjectWritesForTheControllerOfItsCell) {
 }
 
 TEST_F(Posts, RemediesDoNotRepeatWhatIsSetNorNamePostsThatDoNotExist) {
-  const ProcessResult slow =
-      run({"fanuc.speed_decimals=0", "fanuc.speed_unit=cm_min"});
+  const ProcessResult slow = run({"fanuc.speed_decimals=0", "fanuc.speed_unit=cm_min"});
   ASSERT_EQ(slow.exitCode, 0) << slow.err;
   const Value report = parseJson(slow.out);
   for (const Value& finding : findings(operationOf(report), "post.speed_rounded")) {

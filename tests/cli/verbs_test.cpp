@@ -148,19 +148,19 @@ TEST_F(Verbs, ApplyToAnotherFileKeepsTheFirst) {
 
 TEST_F(Verbs, ApplyToABareNameInTheFolderOfTheProject) {
   ASSERT_EQ(camcli({"new", "plain.wcam", "--part", part_}).exitCode, 0);
-  const ProcessResult result = camcli(
-      {"apply", "plain.wcam",
-       file("rename.jsonl", R"({"command": "project.rename", "args": {"name": "second"}})"
-                            "\n"),
-       "--output", "copy.wcam"});
+  const ProcessResult result =
+      camcli({"apply", "plain.wcam",
+              file("rename.jsonl", R"({"command": "project.rename", "args": {"name": "second"}})"
+                                   "\n"),
+              "--output", "copy.wcam"});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(parseJson(readFile(folder_ / "copy.wcam")).at("name").asString(), "second");
 }
 
 TEST_F(Verbs, PartsThatTheRobotCarriesGetAPlateAsThickAsTheHolder) {
-  for (const auto& [cell, thickness] : {std::pair("fanuc_arcmate120ic_part_carried", 5.0),
-                                        std::pair("kuka_kr16_part_carried", 10.0),
-                                        std::pair("kuka_kr16", 10.0)}) {
+  for (const auto& [cell, thickness] :
+       {std::pair("fanuc_arcmate120ic_part_carried", 5.0),
+        std::pair("kuka_kr16_part_carried", 10.0), std::pair("kuka_kr16", 10.0)}) {
     const std::string project = std::string("plate_") + cell + ".wcam";
     ASSERT_EQ(camcli({"new", project, "--part", part_, "--cell", cell}).exitCode, 0);
     const Value plate = parseJson(readFile(folder_ / project)).at("substrates").asArray()[0];

@@ -172,10 +172,12 @@ TEST_F(French, ADecimalCommaIsTaken) {
 }
 
 TEST_F(French, FiguresAndShapesOfFindings) {
-  EXPECT_EQ(utf8(engineText(text("the gap is %1 and %2", {std::string("6.02 mm"), std::string("-0.5")}))),
-            "the gap is 6,02 mm and -0,5");
+  EXPECT_EQ(
+      utf8(engineText(text("the gap is %1 and %2", {std::string("6.02 mm"), std::string("-0.5")}))),
+      "the gap is 6,02 mm and -0,5");
   // Names and versions are no figures.
-  EXPECT_EQ(utf8(engineText(text("%1 of %2", {std::string("part 2.stl"), std::string("1.2.3")}))), "part 2.stl of 1.2.3");
+  EXPECT_EQ(utf8(engineText(text("%1 of %2", {std::string("part 2.stl"), std::string("1.2.3")}))),
+            "part 2.stl of 1.2.3");
   EXPECT_EQ(utf8(figureText(1234.5, 2)), "1234,50");
   EXPECT_EQ(utf8(engineText(text("robot %1", {text("forearm")}))).find("forearm"),
             std::string::npos);

@@ -4,10 +4,9 @@
 #include "wcam/project/project_lock.hpp"
 
 #include "test_folder.hpp"
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <gtest/gtest.h>
 
 #include <array>
 
@@ -36,9 +35,9 @@ TEST(ProjectLock, OfAProcessThatEndsIsWaitedFor) {
     if (::fork() == 0) {
       ::close(release[1]);
       (void)::write(ready[1], "r", 1);
-      readByte(release[0]);   // until the test has seen the lock
+      readByte(release[0]);  // until the test has seen the lock
       ::usleep(200 * 1000);
-      ::_exit(0);             // without the destructor: the file stays
+      ::_exit(0);  // without the destructor: the file stays
     }
     (void)taken.lock.release();
     ::_exit(0);
