@@ -293,6 +293,8 @@ void addBeads(const Scene& scene,
       context.check();
     }
     double deepest = 0.0;
+    // A bead melts onto what it is laid on, and leans: its core must be inside.
+    const double limit = std::max(kStandingContact, piece.rods.front().radius);
     for (std::size_t k = 0; k < positions.size(); ++k) {
       const Position& position = positions[k];
       const double apart = item.ball + piece.reach;
@@ -308,7 +310,7 @@ void addBeads(const Scene& scene,
         const double depth = rodDepth(item, mesh, own);
         if (depth > deepest) {
           deepest = depth;
-          if (depth > std::max(found.depth, kStandingContact)) {
+          if (depth > std::max(found.depth, limit)) {
             found.depth = depth;
             found.point = 0.5 * (rod.a + rod.b);
             found.beadPoint = piece.order - 1;
@@ -316,7 +318,7 @@ void addBeads(const Scene& scene,
         }
       }
     }
-    found.points += deepest > kStandingContact ? 1 : 0;
+    found.points += deepest > limit ? 1 : 0;
   });
   if (found.points > 0) {
     found.first = "part";

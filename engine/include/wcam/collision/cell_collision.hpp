@@ -121,7 +121,7 @@ public:
   /// What evaluate() does not compare since nothing, or one joint alone, moves it: the substrate
   /// and the beads (with the section that they have, by the path) with every shape that carries
   /// them or stands beside them, at the positions that the states reach. Only what is deeper than
-  /// kStandingContact; the deepest place of each pair.
+  /// kStandingContact, of beads only what reaches their core; the deepest place of each pair.
   /// @param path that the model was made of
   [[nodiscard]] std::vector<StandingContact> standingContacts(const toolpath::Toolpath& path,
                                                               std::span<const CellState> states,
