@@ -117,7 +117,9 @@ public:
     if (message.find(" at line ") == std::string::npos) {
       fail(message);
     }
-    throw Error(ErrorCode::InputInvalid, message, context_, "the file must be UTF-8 JSON");
+    const bool encoding = message.find("UTF-8") != std::string::npos;
+    throw Error(ErrorCode::InputInvalid, message, context_,
+                encoding ? text("the file must be UTF-8 JSON") : syntaxHint());
   }
 
   Value take() { return std::move(result_); }
@@ -129,12 +131,19 @@ private:
     std::unordered_set<std::string> keys;  ///< only asked, so that its order does not matter
   };
 
+  static Text syntaxHint() {
+    return text(
+        "correct the file at this place: in JSON numbers are finite and have a decimal point, "
+        "texts "
+        "stand in double quotes, and every key stands once in its object");
+  }
+
   [[noreturn]] void fail(const Text& message) const {
     // The parser has read one character past the token, or is right behind it.
     const std::string_view done(text_.data(), static_cast<std::size_t>(reached_ - text_.data()));
     const auto line = 1 + std::count(done.begin(), done.end() - (done.empty() ? 0 : 1), '\n');
     throw Error(ErrorCode::InputInvalid, text("line %1: %2", {std::to_string(line), message}),
-                context_, "the file must be UTF-8 JSON");
+                context_, syntaxHint());
   }
 
   bool open(Value container) {

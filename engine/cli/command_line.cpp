@@ -3,6 +3,7 @@
 
 #include "command_line.hpp"
 
+#include "wcam/base/file_io.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/base/version.h"
 
@@ -56,6 +57,15 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
                      : verb ? "there is no verb '"
                             : "nothing was expected where it says '") +
          word + "'" + (near ? "; did you mean '" + *near + "'?" : "");
+}
+
+/// A file whose name begins with a dash looks like an option.
+std::string dashHint(const std::vector<std::string>& words) {
+  std::error_code ignored;
+  return !words.empty() && words.front().starts_with("-") &&
+                 std::filesystem::exists(pathFromText(words.front()), ignored)
+             ? "write ./" + words.front() + " for the file of this name; "
+             : "";
 }
 
 }  // namespace
@@ -296,13 +306,22 @@ void CommandLine::addSpeedVerb() {
 Error CommandLine::usageError(const CLI::ParseError& error) const {
   const CLI::App& app = innermost(app_);
   std::string message = error.what();
+  std::string hint;
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     const std::vector<std::string> words = app_.remaining(true);
     message = unexpected(words.empty() ? std::string() : words.front(), app);
+    hint = dashHint(words);
+  } else if (const std::vector<std::string> words = app_.remaining(true);
+             dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && !words.empty() &&
+             words.front().starts_with("-") && words.front() != "--") {
+    // What is missing is that word, most likely.
+    message = unexpected(words.front(), app);
+    hint = dashHint(words);
   } else if (!app.get_subcommands({}).empty() && app.get_parent() != nullptr) {
     message = "'" + app.get_name() + "' needs one of: " + joinText(verbNames(app), ", ");
   }
-  return Error(ErrorCode::InvalidArgument, message, {}, "see `" + commandName(app) + " --help`");
+  return Error(ErrorCode::InvalidArgument, message, {},
+               hint + "see `" + commandName(app) + " --help`");
 }
 
 std::optional<std::string> CommandLine::parse(int argc, char** argv) {

@@ -12,7 +12,10 @@
 #include "verbs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 namespace wcam::cli {
 
@@ -102,13 +105,30 @@ std::string freeId(const project::Operation& operation, const std::string& base)
   return id;
 }
 
+/// What a command has done, by its label: "Add edit …" has "Added edit …".
+std::string doneText(const std::string& label) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kForms = {
+      {{"Add ", "Added "},
+       {"Remove ", "Removed "},
+       {"Move ", "Moved "},
+       {"Rename ", "Renamed "},
+       {"Pin ", "Pinned "},
+       {"Set ", "Set "}}};
+  for (const auto& [now, done] : kForms) {
+    if (label.starts_with(now)) {
+      return std::string(done) + label.substr(now.size());
+    }
+  }
+  return label;
+}
+
 /// Applies a command to the project file, whose lock is held since it was read, and saves it.
 int changeProject(const Session& session,
                   const ChangedProject& changed,
                   const project::Command& command) {
   const std::filesystem::path file = pathFromText(session.options.file);
   changed.save(session, project::apply(changed.loaded.document, command));
-  session.console.say(project::labelOf(command).str() + ", saved " + pathText(file));
+  session.console.say(doneText(project::labelOf(command).str()) + ", saved " + pathText(file));
   if (session.options.json) {
     std::fputs(toCanonicalJson(project::toValue(command)).c_str(), stdout);
   }

@@ -126,6 +126,7 @@ private:
 Value projectTemplate(const std::string& name,
                       const std::string& part,
                       const std::string& cell,
+                      const Value& plate,
                       const Value& outputs) {
   const auto fileRef = [](const std::string& path) {
     return Value::object({{"path", path}, {"sha256", ""}});
@@ -147,8 +148,6 @@ Value projectTemplate(const std::string& name,
   if (!cell.empty()) {
     tree.set("cell", fileRef(cell));
   }
-  const Value plate = Value::object(
-      {{"id", "plate"}, {"type", "plate"}, {"size_mm", Value(Value::Array{300.0, 300.0, 10.0})}});
   const Value wire = Value::object({{"id", "wire"}, {"params", Value::object()}});
   return tree.set("parts", parts)
       .set("substrates", Value(Value::Array{plate}))
@@ -227,7 +226,7 @@ int newVerb(const Session& session) {
   }
   refuseExisting(file);
   std::vector<CopiedFile> copies;
-  const std::string cellName = options.cell.empty() ? "fanuc_arcmate120ic" : options.cell;
+  const std::string cellName = options.cell.empty() ? project::kDefaultCell : options.cell;
   std::string cell = std::string(project::kShippedPrefix) + "cells/" + cellName + ".json";
   if (std::filesystem::is_regular_file(pathFromText(cellName))) {
     cell = planCopy(pathFromText(cellName), file, copies);
@@ -246,7 +245,7 @@ int newVerb(const Session& session) {
   const std::string name = options.name.empty() ? file.stem().native() : options.name;
   project::Document document = project::Document::parse(
       projectTemplate(
-          name, part, cell,
+          name, part, cell, project::newPlate(project::resolvePath(file, {cell, ""})),
           project::newOutputs(*session.plugins, project::resolvePath(file, {cell, ""}))),
       pathText(file));
   document = project::apply(document, project::pinCommand(document, file));
@@ -303,9 +302,13 @@ int applyVerb(const Session& session) {
   const std::filesystem::path log = pathFromText(session.options.commands);
   const std::filesystem::path target =
       session.options.output.empty() ? file : pathFromText(session.options.output);
-  std::error_code ignored;
-  if (std::filesystem::weakly_canonical(target, ignored).parent_path() !=
-      std::filesystem::weakly_canonical(file, ignored).parent_path()) {
+  // A bare name of a file that is not there yet has no folder until it is made absolute.
+  const auto folderOf = [](const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored)
+        .parent_path();
+  };
+  if (folderOf(target) != folderOf(file)) {
     throw Error(ErrorCode::InvalidArgument, "lies in another folder than the project",
                 pathText(target), "the project names its files relative to its own folder");
   }

@@ -7,7 +7,9 @@
 #include "wcam/base/parallel.hpp"
 
 #include "deposit.hpp"
+#include "overlap.hpp"
 #include "scene.hpp"
+#include "standing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -425,8 +427,18 @@ struct CellCollision::Impl {
       if (partBound(placed, item, limit) >= limit) {
         continue;
       }
-      const auto hit = partDistance(placed, item, within);
+      auto hit = partDistance(placed, item, within);
       if (hit.rod != detail::kNever) {
+        if (hit.distance < 0.0 && !item.isMesh()) {
+          const DepositRod& deposited = deposit->rods[hit.rod];
+          const detail::Rod rod{deposited.a, deposited.b, deposited.radius};
+          const Pose& T_part_body = placed.inPart[static_cast<std::size_t>(item.body)];
+          hit.distance =
+              -std::max(detail::leastTranslation(item.solid, T_part_body * item.T_body_shape,
+                                                 detail::primitiveOf(rod), detail::poseOf(rod))
+                            .depth,
+                        0.0);
+        }
         result.push_back({item.label, "part", item.kind, BodyKind::Part, hit.distance, hit.point,
                           static_cast<std::ptrdiff_t>(hit.rod)});
       }
@@ -436,8 +448,17 @@ struct CellCollision::Impl {
       if (bound >= limit) {
         continue;
       }
-      const auto found = pairDistance(placed, pair, bound);
+      auto found = pairDistance(placed, pair, bound);
       if (found.value < within) {
+        const Item& spheres = scene.items()[static_cast<std::size_t>(pair.spheres)];
+        const Item& field = scene.items()[static_cast<std::size_t>(pair.field)];
+        if (found.value < 0.0 && !spheres.isMesh() && !field.isMesh()) {
+          found.value = -std::max(detail::leastTranslation(
+                                      spheres.solid, bodyOf(placed, spheres) * spheres.T_body_shape,
+                                      field.solid, bodyOf(placed, field) * field.T_body_shape)
+                                      .depth,
+                                  0.0);
+        }
         // The torch first, the substrate last.
         const int low = std::min(pair.spheres, pair.field);
         const int high = std::max(pair.spheres, pair.field);
@@ -503,6 +524,12 @@ std::vector<Contact> CellCollision::torchContacts(const ToolState& state, double
   Impl::Placed placed;
   impl_->place(state, placed);
   return impl_->contacts(placed, within, impl_->scene.torch());
+}
+
+std::vector<StandingContact> CellCollision::standingContacts(const toolpath::Toolpath& path,
+                                                             std::span<const CellState> states,
+                                                             const JobContext& context) const {
+  return detail::standingContacts(impl_->scene, path, states, context);
 }
 
 std::vector<PlacedShape> CellCollision::placedShapes(const cell::JointVector& joints) const {

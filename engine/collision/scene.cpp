@@ -15,16 +15,31 @@ namespace wcam::collision::detail {
 
 namespace {
 
+/// Usual names of shapes, as in the cells that come with the program, can be said in other
+/// languages.
+Text shapeName(const std::string& name) {
+  static const std::vector<Text> kUsual = {
+      text("pedestal"), text("shoulder"), text("upper arm"),      text("elbow"),
+      text("forearm"),  text("wrist"),    text("wrist plate"),    text("torch body"),
+      text("neck"),     text("nozzle"),   text("cable envelope"), text("table"),
+      text("holder"),   text("platter"),  text("tilt unit"),      text("floor"),
+      text("stand"),    text("spindle"),  text("clamp"),          text("fixture"),
+      text("column"),   text("wall"),     text("fence"),          text("cabinet")};
+  const auto usual = std::find_if(kUsual.begin(), kUsual.end(),
+                                  [&](const Text& own) { return own.pattern() == name; });
+  return usual != kUsual.end() ? *usual : Text(name);
+}
+
 Text labelOf(BodyKind kind, const std::string& name) {
   switch (kind) {
     case BodyKind::Torch:
-      return text("torch %1", {name});
+      return text("torch %1", {shapeName(name)});
     case BodyKind::Robot:
-      return text("robot %1", {name});
+      return text("robot %1", {shapeName(name)});
     case BodyKind::Positioner:
-      return text("positioner %1", {name});
+      return text("positioner %1", {shapeName(name)});
     case BodyKind::Obstacle:
-      return text("obstacle %1", {name});
+      return text("obstacle %1", {shapeName(name)});
     case BodyKind::Substrate:
     case BodyKind::Part:
       break;
@@ -34,6 +49,12 @@ Text labelOf(BodyKind kind, const std::string& name) {
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// One of them says not to compare it with the other.
+bool ignored(const Item& a, const Item& b) {
+  return contains(a.shape.ignore, b.shape.name) || contains(b.shape.ignore, a.shape.name) ||
+         contains(a.shape.ignore, b.shape.frame) || contains(b.shape.ignore, a.shape.frame);
 }
 
 /// How good the spheres of a shape are: round shapes are covered tightly.
@@ -203,9 +224,7 @@ bool Scene::isLink(const Item& item) const {
 }
 
 bool Scene::comparable(const Item& a, const Item& b) const {
-  if (a.body == b.body || contains(a.shape.ignore, b.shape.name) ||
-      contains(b.shape.ignore, a.shape.name) || contains(a.shape.ignore, b.shape.frame) ||
-      contains(b.shape.ignore, a.shape.frame)) {
+  if (a.body == b.body || ignored(a, b)) {
     return false;
   }
   // The base belongs to the robot for the robot, to the positioner for the positioner.
@@ -247,6 +266,37 @@ void Scene::findPairs() {
                });
   complete(all_);
   complete(torch_);
+  findStanding();
+}
+
+void Scene::findStanding() {
+  const auto jointTo = [this](const Item& item) {
+    return item.body == partBody_ ? -1 : std::max(item.body, partBody_) - 1;
+  };
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].kind == BodyKind::Substrate) {
+      standing_.substrate = static_cast<int>(i);
+    }
+  }
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const Item& item = items_[i];
+    const auto k = static_cast<int>(i);
+    if (item.kind == BodyKind::Substrate) {
+      continue;
+    }
+    const std::vector<int>& moving = all_.againstPart;
+    if (!contains(item.shape.ignore, "part") &&
+        std::find(moving.begin(), moving.end(), k) == moving.end()) {
+      standing_.withPart.push_back({k, jointTo(item)});
+    }
+    if (standing_.substrate < 0) {
+      continue;
+    }
+    const Item& substrate = items_[static_cast<std::size_t>(standing_.substrate)];
+    if (!ignored(item, substrate) && !comparable(item, substrate)) {
+      standing_.withSubstrate.push_back({k, jointTo(item)});
+    }
+  }
 }
 
 /// Substrate first, since it is what the torch is nearest to; then the lists that follow from the

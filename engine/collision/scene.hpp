@@ -52,6 +52,19 @@ struct Selection {
   std::vector<int> partBodies;   ///< those of againstPart
 };
 
+/// What never moves against each other, or by one joint alone: not compared in every state, but it
+/// must not stand inside each other either.
+struct Standing {
+  struct With {
+    int item = 0;
+    int joint = -1;  ///< the joint between it and the part, −1: none
+  };
+
+  int substrate = -1;               ///< item; −1: none
+  std::vector<With> withSubstrate;  ///< items
+  std::vector<With> withPart;       ///< items, with the deposit
+};
+
 /// Shapes of a cell with the substrate, who is compared with whom, and where they are.
 class Scene {
 public:
@@ -69,6 +82,10 @@ public:
 
   /// What is fixed to the TCP, with the deposit and the substrate.
   [[nodiscard]] const Selection& torch() const noexcept { return torch_; }
+
+  [[nodiscard]] const Standing& standing() const noexcept { return standing_; }
+
+  [[nodiscard]] bool prismatic(int joint) const { return cell_.joint(joint).prismatic(); }
 
   [[nodiscard]] int torchBody() const noexcept { return torchBody_; }
 
@@ -107,12 +124,14 @@ private:
   [[nodiscard]] bool isLink(const Item& item) const;
   [[nodiscard]] bool comparable(const Item& a, const Item& b) const;
   void findPairs();
+  void findStanding();
   void complete(Selection& selection) const;
 
   cell::Cell cell_;
   std::vector<Item> items_;
   Selection all_;
   Selection torch_;
+  Standing standing_;
   int partBody_ = 0;
   int torchBody_ = 0;
   Pose T_body_part_ = Pose::Identity();

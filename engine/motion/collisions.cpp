@@ -3,7 +3,10 @@
 
 #include "wcam/motion/collisions.hpp"
 
+#include "wcam/base/quantity.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/cell/arm.hpp"
+#include "wcam/cell/inverse.hpp"
 #include "wcam/motion/explain.hpp"
 
 #include "path_index.hpp"
@@ -13,6 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
 
 namespace wcam::motion {
 
@@ -140,6 +146,173 @@ std::vector<float> evaluateAll(const std::vector<CellState>& states,
   return clearance;
 }
 
+/// A plan with its checks, before its findings are explained.
+struct Attempt {
+  CheckedMotion checked;
+  std::vector<Diagnostic> findings;
+
+  [[nodiscard]] std::size_t violations() const {
+    return static_cast<std::size_t>(std::count_if(
+        findings.begin(), findings.end(),
+        [](const Diagnostic& finding) { return finding.severity == Severity::Violation; }));
+  }
+
+  [[nodiscard]] std::size_t count(std::string_view code) const {
+    return static_cast<std::size_t>(
+        std::count_if(findings.begin(), findings.end(),
+                      [code](const Diagnostic& finding) { return finding.code == code; }));
+  }
+};
+
+/// What planCheckedMotion works on.
+struct Job {
+  const toolpath::Toolpath& path;
+  const cell::Cell& cell;
+  const collision::CellCollision* model;  ///< null: collisions are not looked at
+  const std::string& operationId;
+};
+
+Attempt attempt(const Job& job, const MotionParams& params, const JobContext& context) {
+  Attempt result;
+  CheckedMotion& checked = result.checked;
+  JobContext planning = context.portion(0.0, 0.8).withOwnDiagnostics();
+  checked.planned = planMotion(job.path, job.cell, params, job.operationId, planning, job.model);
+  if (job.model != nullptr) {
+    ExitRotations exits;
+    for (int pass = 0; params.exitRotations && pass < kExitPasses; ++pass) {
+      exits = findExits(checked.planned.motion, job.path, *job.model, params, exits, context);
+      if (!exits.changed) {
+        break;
+      }
+      // The deposit stays where it is: only axes change.
+      checked.path = applyExits(job.path, exits);
+      checked.pathChanged = true;
+      planning = context.portion(0.8, 0.9).withOwnDiagnostics();
+      checked.planned =
+          planMotion(checked.path, job.cell, params, job.operationId, planning, job.model);
+    }
+    const toolpath::Toolpath& final = checked.pathChanged ? checked.path : job.path;
+    checked.collisions =
+        checkCollisions(checked.planned.motion, final, *job.model, job.operationId, planning);
+    for (const Tilt& tilt : exits.applied) {
+      checked.collisions.turnedPoints += tilt.none() ? 0 : 1;
+      checked.collisions.greatestExit =
+          std::max({checked.collisions.greatestExit, std::abs(tilt.lateral), std::abs(tilt.lead)});
+    }
+  }
+  result.findings = planning.diagnostics().items();
+  return result;
+}
+
+/// A place at which the torch alone touches what is deposited, or the substrate, at whatever
+/// rotation about its axis: no configuration of the arm helps there.
+bool torchIsStuck(const Job& job, const Attempt& found) {
+  constexpr int kRotations = 24;
+  constexpr std::size_t kPlaces = 24;
+  if (job.model == nullptr) {
+    return false;
+  }
+  const detail::PathIndex index(job.path);
+  std::vector<collision::ToolState> tools;
+  for (const Diagnostic& finding : found.findings) {
+    if (finding.code != "motion.collision" || tools.size() >= kPlaces * kRotations) {
+      continue;
+    }
+    const auto& points = found.checked.planned.motion.waypoints;
+    const auto at = std::find_if(points.begin(), points.end(), [&](const Waypoint& point) {
+      return point.point >= 0 && point.layer == finding.place.layer &&
+             point.bead == finding.place.bead && point.point == finding.place.point;
+    });
+    if (at == points.end()) {
+      continue;
+    }
+    for (int k = 0; k < kRotations; ++k) {
+      collision::ToolState tool{at->T_part_tcp, index.number(at->layer, at->bead, at->point)};
+      tool.T_part_tcp.linear() =
+          tool.T_part_tcp.linear() *
+          Eigen::AngleAxisd(2.0 * kPi * k / kRotations, geometry::Vec3::UnitZ()).toRotationMatrix();
+      tools.push_back(tool);
+    }
+  }
+  std::vector<float> clearance(tools.size());
+  job.model->evaluateTorch(tools, clearance);
+  const auto deepest =
+      -static_cast<float>(job.model->settings().safetyDistance) - static_cast<float>(kTouch);
+  for (std::size_t begin = 0; begin < clearance.size(); begin += kRotations) {
+    const auto first = clearance.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (std::all_of(first, first + kRotations, [&](float own) { return own < deepest; })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Other configurations are looked at where the automatic one breaks what they might keep. Points
+/// out of reach are none of it: the choice among the configurations looks at these first.
+bool mayBeBetter(const Job& job, const MotionParams& params, const Attempt& found) {
+  return params.branch == BranchChoice::Auto && job.cell.arm &&
+         found.count("motion.joint_limit") + found.count("motion.collision") +
+                 found.count("motion.cable_twist") >
+             0 &&
+         found.count("motion.unreachable") == 0 && found.count("motion.tilt") == 0 &&
+         !torchIsStuck(job, found);
+}
+
+/// The first configuration, in the order of their names' table, in which the operation has no
+/// violation.
+std::optional<Attempt> otherConfiguration(const Job& job,
+                                          const MotionParams& params,
+                                          const Attempt& first,
+                                          const JobContext& context) {
+  // Each is planned in full: as many as take some times the planning itself.
+  constexpr std::size_t kMostPoints = 60000;
+  const std::size_t points =
+      std::max<std::size_t>(first.checked.planned.motion.waypoints.size(), 1);
+  std::size_t left = params.mode == RedundancyMode::Optimized
+                         ? std::max<std::size_t>(kMostPoints / points, 1)
+                         : static_cast<std::size_t>(cell::Branch::kCount);
+  const std::string& taken = first.checked.planned.statistics.branch;
+  for (int k = 0; k < cell::Branch::kCount && left > 0; ++k) {
+    if (job.cell.inverse->branchName(k) == taken) {
+      continue;
+    }
+    --left;
+    MotionParams own = params;
+    own.branch = static_cast<BranchChoice>(k + 1);
+    Attempt other = attempt(job, own, context.portion(0.0, 1.0));
+    if (other.violations() > 0) {
+      continue;
+    }
+    const std::size_t before = first.violations();
+    other.findings.push_back(
+        {Severity::Information,
+         "motion.configuration_chosen",
+         text(before == 1
+                  ? "the configuration %1 is taken, which has no violation: %2, which comes "
+                    "first, has 1"
+                  : "the configuration %1 is taken, which has no violation: %2, which comes "
+                    "first, has %3",
+              {other.checked.planned.statistics.branch, taken, std::to_string(before)}),
+         "set \"branch\" to keep one configuration",
+         {job.operationId, -1, -1, -1},
+         {{"branch", static_cast<double>(k)}, {"violations", static_cast<double>(before)}}});
+    return other;
+  }
+  return std::nullopt;
+}
+
+/// "+Z" or "(0.71, 0.00, 0.71)".
+std::string directionText(const geometry::Vec3& way) {
+  constexpr double kAlong = 0.9999;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(way(axis)) > kAlong) {
+      return std::string(way(axis) < 0.0 ? "-" : "+") + static_cast<char>('X' + axis);
+    }
+  }
+  return "(" + formatFixed(way.x(), 2) + ", " + formatFixed(way.y(), 2) + ", " +
+         formatFixed(way.z(), 2) + ")";
+}
+
 }  // namespace
 
 MotionStates motionStates(const Motion& motion, const toolpath::Toolpath& path) {
@@ -224,52 +397,87 @@ CollisionStatistics checkCollisions(const Motion& motion,
   return statistics;
 }
 
+void checkStanding(const Motion& motion,
+                   const toolpath::Toolpath& path,
+                   const collision::CellCollision& collision,
+                   const std::string& operationId,
+                   CollisionStatistics& statistics,
+                   const JobContext& context) {
+  std::vector<CellState> states;
+  for (const Waypoint& waypoint : motion.waypoints) {
+    if (waypoint.reachable) {
+      states.push_back({waypoint.joints, waypoint.deposited});
+    }
+  }
+  const detail::PathIndex index(path);
+  for (const collision::StandingContact& found :
+       collision.standingContacts(path, states, context)) {
+    statistics.leastDistance = std::min(statistics.leastDistance, -found.depth);
+    Diagnostic finding;
+    finding.severity = Severity::Violation;
+    finding.code = "motion.standing_collision";
+    finding.place.operation = operationId;
+    finding.data = {{"depth_mm", found.depth},
+                    {"x_mm", found.point.x()},
+                    {"y_mm", found.point.y()},
+                    {"z_mm", found.point.z()}};
+    if (found.firstKind == collision::BodyKind::Part) {
+      const detail::PathIndex::Place place = index.place(found.beadPoint);
+      finding.place = {operationId, place.layer, place.bead, place.point};
+      finding.data.emplace_back("points", static_cast<double>(found.points));
+      finding.message = text("beads are laid up to %1 inside %2, at %3",
+                             {mm(found.depth), found.second, points(found.points)});
+      finding.remedy = text("move the part on its table, or %1 in the cell file", {found.second});
+    } else {
+      finding.message = text("the substrate stands %1 deep inside %2, at (%3, %4, %5) of the part",
+                             {mm(found.depth), found.second, formatFixed(found.point.x(), 1),
+                              formatFixed(found.point.y(), 1), formatFixed(found.point.z(), 1)});
+      finding.remedy =
+          found.way.isZero()
+              ? text(
+                    "move the substrate with the part, take another one, or correct %1 in the "
+                    "cell file",
+                    {found.second})
+              : text(
+                    "move the substrate with the part by %1 along %2 of the part frame, take "
+                    "another one, or correct %3 in the cell file",
+                    {mm(found.depth), directionText(found.way), found.second});
+    }
+    context.add(std::move(finding));
+  }
+}
+
 CheckedMotion planCheckedMotion(const toolpath::Toolpath& path,
                                 const cell::Cell& cell,
                                 const toolpath::Substrate* substrate,
                                 const MotionParams& params,
                                 const std::string& operationId,
                                 const JobContext& context) {
-  CheckedMotion result;
   if (substrate != nullptr && !path.layers.empty()) {
     detail::checkTable(cell, *substrate, context);
   }
-  if (!params.checkCollisions || cell.shapes.empty()) {
-    const JobContext planning = context.withOwnDiagnostics();
-    result.planned = planMotion(path, cell, params, operationId, planning);
-    context.diagnostics().append(explainFindings(planning.diagnostics().items(),
-                                                 result.planned.motion, path, cell, nullptr, params,
-                                                 context));
-    return result;
+  std::unique_ptr<collision::CellCollision> model;
+  if (params.checkCollisions && !cell.shapes.empty()) {
+    collision::CollisionSettings settings;
+    settings.safetyDistance = params.safetyDistance.value();
+    model = std::make_unique<collision::CellCollision>(cell, path, substrate, settings,
+                                                       context.portion(0.0, 0.2));
   }
-  collision::CollisionSettings settings;
-  settings.safetyDistance = params.safetyDistance.value();
-  auto model = std::make_unique<collision::CellCollision>(cell, path, substrate, settings,
-                                                          context.portion(0.0, 0.2));
-  JobContext planning = context.portion(0.2, 0.7).withOwnDiagnostics();
-  result.planned = planMotion(path, cell, params, operationId, planning, model.get());
-  ExitRotations exits;
-  for (int pass = 0; params.exitRotations && pass < kExitPasses; ++pass) {
-    exits = findExits(result.planned.motion, path, *model, params, exits, context);
-    if (!exits.changed) {
-      break;
+  const Job job{path, cell, model.get(), operationId};
+  Attempt found = attempt(job, params, context.portion(0.2, 0.7));
+  if (mayBeBetter(job, params, found)) {
+    if (auto other = otherConfiguration(job, params, found, context.portion(0.7, 0.8))) {
+      found = std::move(*other);
     }
-    // The deposit stays where it is: only axes change.
-    result.path = applyExits(path, exits);
-    result.pathChanged = true;
-    planning = context.portion(0.7, 0.8).withOwnDiagnostics();
-    result.planned = planMotion(result.path, cell, params, operationId, planning, model.get());
   }
+  CheckedMotion result = std::move(found.checked);
   const toolpath::Toolpath& final = result.pathChanged ? result.path : path;
-  result.collisions = checkCollisions(result.planned.motion, final, *model, operationId, planning);
-  for (const Tilt& tilt : exits.applied) {
-    result.collisions.turnedPoints += tilt.none() ? 0 : 1;
-    result.collisions.greatestExit =
-        std::max({result.collisions.greatestExit, std::abs(tilt.lateral), std::abs(tilt.lead)});
+  if (model != nullptr && !path.layers.empty()) {
+    checkStanding(result.planned.motion, final, *model, operationId, result.collisions, context);
   }
-  context.diagnostics().append(explainFindings(planning.diagnostics().items(),
-                                               result.planned.motion, final, cell, model.get(),
-                                               params, context.portion(0.8, 1.0)));
+  context.diagnostics().append(explainFindings(std::move(found.findings), result.planned.motion,
+                                               final, cell, model.get(), params,
+                                               context.portion(0.8, 1.0)));
   return result;
 }
 

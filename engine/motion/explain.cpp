@@ -246,9 +246,9 @@ std::vector<std::vector<Cure>> allCures(const cell::Cell& cell, const MotionPara
 }
 
 bool isExplained(const Diagnostic& finding) {
-  static const std::set<std::string> codes = {"motion.unreachable", "motion.joint_limit",
-                                              "motion.singularity", "motion.collision",
-                                              "motion.near_collision"};
+  static const std::set<std::string> codes = {"motion.unreachable",    "motion.joint_limit",
+                                              "motion.singularity",    "motion.collision",
+                                              "motion.near_collision", "motion.cable_twist"};
   return codes.contains(finding.code) && finding.place.layer >= 0 && finding.place.bead >= 0;
 }
 
@@ -415,8 +415,9 @@ std::vector<Diagnostic> explainFindings(std::vector<Diagnostic> findings,
                                         const toolpath::Toolpath& path,
                                         const cell::Cell& cell,
                                         const collision::CellCollision* collision,
-                                        const MotionParams& params,
+                                        const MotionParams& given,
                                         const JobContext& context) {
+  const MotionParams params = detail::withCable(given, cell);
   if (std::none_of(findings.begin(), findings.end(), isExplained)) {
     return findings;
   }

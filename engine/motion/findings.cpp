@@ -133,9 +133,9 @@ private:
 
   void addTwist(const Waypoint& point) {
     if (params_.cableLimit.value() > 0.0 && point.reachable) {
-      const double twist = std::abs(model_.cableTwist(point.joints, params_.cableZero.value()));
-      if (twist > params_.cableLimit.value() + kOnLimit) {
-        cable_.add(twist, point.point);
+      const double twist = model_.cableTwist(point.joints, params_.cableZero.value());
+      if (std::abs(twist) > params_.cableLimit.value() + kOnLimit) {
+        cable_.add(std::abs(twist), point.point, -1, twist);
       }
     }
   }
@@ -342,11 +342,15 @@ private:
           {{"tilt_deg", radToDeg(tilt_.value)}});
     }
     if (cable_.count > 0) {
-      put(context, Severity::Warning, "motion.cable_twist",
-          text("the torch's cable is twisted by up to %1 at %2",
-               {degText(cable_.value), points(cable_.count)}),
-          "change the rotation about the torch or the configuration; check the cable's zero",
-          cable_, {{"twist_deg", radToDeg(cable_.value)}});
+      put(context, Severity::Violation, "motion.cable_twist",
+          text("the torch's cable is twisted by up to %1 at %2; its limit is %3 to both sides",
+               {degText(cable_.extra), points(cable_.count), degText(params_.cableLimit.value())}),
+          "change the rotation about the torch or the configuration, or raise cable_limit if the "
+          "cable bears it; check the cable's zero",
+          cable_,
+          {{"twist_deg", radToDeg(cable_.extra)},
+           {"limit_deg", radToDeg(params_.cableLimit.value())},
+           {"excess_deg", radToDeg(cable_.value - params_.cableLimit.value())}});
     }
   }
 

@@ -32,7 +32,7 @@ const char* redundancyKey(RedundancyMode mode) {
 
 std::size_t Evaluation::violations() const {
   return count(Constraint::Reach) + count(Constraint::Limits) + count(Constraint::Collision) +
-         count(Constraint::Tilt);
+         count(Constraint::Tilt) + count(Constraint::Cable);
 }
 
 std::size_t Evaluation::allBroken() const {

@@ -70,9 +70,10 @@ void addRedundancy(Schema<MotionParams>& schema) {
            {.key = "cable_limit",
             .label = "Limit of the cable's twist",
             .help =
-                "Of |J4 + J6|, from the untwisted cable's value; 0 takes the limit and the zero of "
-                "the cell file, if it has them. 120 deg is usual for torch cables (Chalvin A33); "
-                "a large value lifts the limit.",
+                "Of |J4 + J6|, from the untwisted cable's value; more is a violation. 0 takes the "
+                "limit "
+                "and the zero of the cell file, if it has them. 120 deg is usual for torch cables "
+                "(Chalvin A33); a large value lifts the limit.",
             .group = "Redundancy",
             .min = 0,
             .max = 3600})
@@ -150,7 +151,8 @@ void addTorch(Schema<MotionParams>& schema) {
            .help =
                "Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one "
                "that reaches all points inside the limits, if it can with the shoulder to "
-               "the front and the elbow up, and with the largest margin.",
+               "the front and the elbow up, and with the largest margin; where that one collides, "
+               "breaks limits or twists the cable too far, the first one without violations.",
            .group = "Torch",
            .choices = {{"auto", "Automatic"},
                        {"nut", "N U T"},

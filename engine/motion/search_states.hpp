@@ -26,7 +26,7 @@ struct SearchPenalty {
   static constexpr float kOutside = 1e4F;      ///< per joint and target outside its limits …
   static constexpr float kBeyond = 1e4F;       ///< … and per rad beyond them
   static constexpr float kSingular = 1e3F;     ///< inside a singularity margin
-  static constexpr float kTwist = 1e3F;        ///< beyond the cable's limit, and per rad
+  static constexpr float kTwist = 1e4F;        ///< beyond the cable's limit, and per rad
   static constexpr float kTooFast = 1e2F;      ///< per (step/greatest step)²
   static constexpr float kUnusual = 0.5F;      ///< per run: elbow down 1, shoulder to the back 2
 };

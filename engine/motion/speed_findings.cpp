@@ -24,9 +24,13 @@ struct Limiter {
   int joint = -1;
   double share = 0.0;  ///< of the limit that is used
   bool bySpeed = false;
+  bool byTorch = false;  ///< the acceleration of the torch itself, no joint
 };
 
-Limiter limiterAt(const Motion& motion, const std::vector<JointBounds>& bounds, std::size_t i) {
+Limiter limiterAt(const Motion& motion,
+                  const std::vector<JointBounds>& bounds,
+                  const MotionParams& params,
+                  std::size_t i) {
   const std::vector<Waypoint>& points = motion.waypoints;
   Limiter limiter;
   const std::size_t last = std::min(i + 1, points.size() - 1);
@@ -42,6 +46,15 @@ Limiter limiterAt(const Motion& motion, const std::vector<JointBounds>& bounds, 
         std::isfinite(bounds[j].acceleration) ? gain / bounds[j].acceleration : 0.0;
     if (std::max(speedShare, gainShare) > limiter.share) {
       limiter = {static_cast<int>(j), std::max(speedShare, gainShare), speedShare >= gainShare};
+    }
+  }
+  if (params.tcpAcceleration > 0.0 && before + after > 0.0) {
+    const auto at = [&](std::size_t k) -> Vec3 { return points[k].T_part_tcp.translation(); };
+    const Vec3 v0 = before > 0.0 ? Vec3((at(i) - at(i - 1)) / before) : Vec3::Zero();
+    const Vec3 v1 = after > 0.0 ? Vec3((at(last) - at(i)) / after) : v0;
+    const double share = 2.0 * (v1 - v0).norm() / (before + after) / params.tcpAcceleration;
+    if (share > limiter.share) {
+      limiter = {-1, share, false, true};
     }
   }
   return limiter;
@@ -141,7 +154,7 @@ public:
     for (const SpeedEvent& event : events) {
       // The torch starts and ends every bead at rest; joints at full speed are told elsewhere.
       const bool ramp = (event.atStart || event.atEnd) && !(event.atStart && event.atEnd);
-      const Limiter limiter = limiterAt(motion_, bounds_, speeds.waypoint[event.index]);
+      const Limiter limiter = limiterAt(motion_, bounds_, params_, speeds.waypoint[event.index]);
       if (event.peak) {
         ++peaks;
         peak = peak == nullptr || event.ratio > peak->ratio ? &event : peak;
@@ -165,13 +178,17 @@ public:
       return;
     }
     const Waypoint& point = motion_.waypoints[worst.waypoint];
-    const Limiter limiter = limiterAt(motion_, bounds_, worst.waypoint);
+    const Limiter limiter = limiterAt(motion_, bounds_, params_, worst.waypoint);
     const double mean = worst.length / worst.time;
     const double ratio = worst.wanted / worst.time;
     context_.add(
         {Severity::Violation,
          "motion.too_slow",
-         text(limiter.joint < 0
+         text(limiter.byTorch
+                  ? "the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted "
+                    "speed, and %5 mm/s at the slowest point; nearest to its limit is the "
+                    "acceleration of the torch"
+              : limiter.joint < 0
                   ? "the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted "
                     "speed, and %5 mm/s at the slowest point"
                   : "the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted "
@@ -179,9 +196,7 @@ public:
               {formatFixed(worst.time, 2), formatFixed(worst.length, 1), formatFixed(mean, 2),
                formatFixed(ratio * 100.0, 1), formatFixed(point.tcpSpeed, 2),
                limiter.joint < 0 ? std::string() : cell_.joint(limiter.joint).name}),
-         "use the mode optimized, smooth the path (axis_rate bounds the turn of its build "
-         "direction), raise vertical_tolerance or lower the travel speed; lower min_speed_ratio "
-         "only where the process bears it",
+         crawlRemedy(limiter),
          {operation_, point.layer, point.bead, point.point},
          {{"speed_mm_s", point.tcpSpeed},
           {"mean_speed_mm_s", mean},
@@ -212,11 +227,38 @@ public:
   }
 
 private:
+  /// By what holds the torch back.
+  [[nodiscard]] Text crawlRemedy(const Limiter& limiter) const {
+    if (limiter.byTorch) {
+      return text(
+          "raise tcp_acceleration if the robot can do more, smooth the path, allow more rounding "
+          "of corners (corner_radius) or lower the travel speed; lower min_speed_ratio only where "
+          "the process bears it");
+    }
+    const bool assumed = limiter.joint >= 0 && !limiter.bySpeed && params_.accelerationTime > 0.0 &&
+                         !std::isfinite(cell_.joint(limiter.joint).maxAcceleration);
+    if (assumed) {
+      return text(
+          "shorten acceleration_time if the robot's axes are faster, smooth the path, allow more "
+          "rounding of corners (corner_radius) or lower the travel speed; lower min_speed_ratio "
+          "only where the process bears it");
+    }
+    return text(
+        params_.mode == RedundancyMode::Optimized
+            ? "smooth the path (axis_rate bounds the turn of its build direction), raise "
+              "vertical_tolerance or lower the travel speed; lower min_speed_ratio only where the "
+              "process bears it"
+            : "use the mode optimized, smooth the path (axis_rate bounds the turn of its build "
+              "direction), raise vertical_tolerance or lower the travel speed; lower "
+              "min_speed_ratio only where the process bears it");
+  }
+
   void report(const SpeedEvent& event, std::size_t waypoint, std::size_t count) const {
     const Waypoint& point = motion_.waypoints[waypoint];
-    const Limiter limiter = limiterAt(motion_, bounds_, waypoint);
-    const Text name =
-        limiter.joint < 0 ? text("no joint") : text("joint %1", {cell_.joint(limiter.joint).name});
+    const Limiter limiter = limiterAt(motion_, bounds_, params_, waypoint);
+    const Text name = limiter.byTorch     ? text("the acceleration of the torch (tcp_acceleration)")
+                      : limiter.joint < 0 ? text("no joint")
+                                          : text("joint %1", {cell_.joint(limiter.joint).name});
     const std::string speed = formatFixed(point.tcpSpeed, 2);
     const std::string percent = formatFixed(event.ratio * 100.0, 1);
     const std::string places = std::to_string(count);

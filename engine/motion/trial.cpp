@@ -85,13 +85,13 @@ void addLimits(const cell::Cell& cell, TrialResult& result) {
 bool TrialResult::right(const MotionParams& params) const {
   return reachable && limitMargin >= 0.0 && wrist >= params.wristMargin.value() &&
          elbow >= params.elbowMargin.value() && shoulder >= params.shoulderMargin.value() &&
-         clearance >= 0.0;
+         cable <= 0.0 && clearance >= 0.0;
 }
 
 Trial::Trial(const cell::Cell& cell,
              const collision::CellCollision* collision,
              const MotionParams& params)
-    : cell_(cell), collision_(collision), params_(params) {}
+    : cell_(cell), model_(cell), collision_(collision), params_(params) {}
 
 /// The part on the other cell's table as its file places it.
 TrialResult Trial::inOther(const TrialPoint& point, const Change& change) const {
@@ -183,6 +183,10 @@ TrialResult Trial::at(const TrialPoint& point, const Change& change, bool withCo
     result.joints(cell_.robotJoints() + j) = positioner[static_cast<std::size_t>(j)];
   }
   addLimits(cell_, result);
+  if (params_.cableLimit.value() > 0.0) {
+    const double twist = model_.cableTwist(result.joints, params_.cableZero.value());
+    result.cable = std::max(0.0, std::abs(twist) - params_.cableLimit.value());
+  }
   // The model stands for the part where it is: what moves is looked at without it.
   const bool moved =
       change.turn != 0.0 || change.onTable != Vec3::Zero() || change.inBase != Vec3::Zero();

@@ -5,6 +5,8 @@
 #include "wcam/collision/cell_collision.hpp"
 #include "wcam/motion/plan.hpp"
 
+#include "cell_model.hpp"
+
 #include <optional>
 
 namespace wcam::motion::detail {
@@ -41,6 +43,7 @@ struct TrialResult {
   double wrist = 0.0;      ///< bend of the wrist, rad
   double elbow = 0.0;      ///< rad
   double shoulder = 0.0;   ///< wrist centre to axis 1, mm
+  double cable = 0.0;      ///< twist of the torch's cable beyond its limit, rad; 0 inside
   double clearance = 0.0;  ///< less the safety distance, mm; 0 when it is not looked at
   cell::JointVector joints;
 
@@ -53,7 +56,7 @@ class Trial {
 public:
   Trial(const cell::Cell& cell,
         const collision::CellCollision* collision,
-        const MotionParams& params);
+        const MotionParams& params);  ///< with the cell's cable limit (withCable)
 
   /// @param withCollision ask the model as well (only when all else is right)
   [[nodiscard]] TrialResult at(const TrialPoint& point,
@@ -67,6 +70,7 @@ private:
   [[nodiscard]] TrialResult inOther(const TrialPoint& point, const Change& change) const;
 
   const cell::Cell& cell_;
+  CellModel model_;
   const collision::CellCollision* collision_;
   const MotionParams& params_;
 };

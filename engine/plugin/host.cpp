@@ -219,7 +219,8 @@ struct PluginHost::State {
   void loadEvery(const Wanted& wanted);
   Candidate* owner(std::string_view id, ComponentKind kind);
   Candidate& loadedOwner(std::string_view id, ComponentKind kind);
-  [[noreturn]] void missing(std::string_view id, ComponentKind kind) const;
+  /// @param any the kind is not known
+  [[noreturn]] void missing(std::string_view id, ComponentKind kind, bool any = false) const;
 
   template <class Component, class Make>
   std::shared_ptr<const Component> create(
@@ -360,7 +361,7 @@ std::string domainOf(std::string_view id) {
              : labels[1] + "." + labels[0];
 }
 
-void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
+void PluginHost::State::missing(std::string_view id, ComponentKind kind, bool any) const {
   std::vector<Text> reasons;
   std::vector<std::string> names;
   std::string otherKind;
@@ -369,23 +370,25 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
       continue;
     }
     for (const ComponentEntry& entry : candidate.manifest->components) {
-      if (entry.id == id && entry.kind == kind && candidate.verdict() == PluginVerdict::Refused) {
+      const bool fits = any || entry.kind == kind;
+      if (entry.id == id && fits && candidate.verdict() == PluginVerdict::Refused) {
         reasons.push_back(text("plugin %1 (%2) is refused: %3",
                                {candidate.manifest->id, pathText(candidate.path),
                                 candidate.refusal.empty() ? candidate.shadow : candidate.refusal}));
-      } else if (candidate.usable() && entry.kind == kind) {
+      } else if (candidate.usable() && fits) {
         names.push_back(entry.id);
       } else if (candidate.usable() && entry.id == id) {
         otherKind = toString(entry.kind);
       }
     }
   }
-  const bool slicing = kind == ComponentKind::Slicing;
+  const bool isStrategy = kind == ComponentKind::Slicing;
   const std::string name(id);
   if (!reasons.empty()) {
     throw Error(ErrorCode::PluginRefused,
-                text(slicing ? "strategy '%1' cannot be used: %2"
-                             : "post-processor '%1' cannot be used: %2",
+                text(any          ? "component '%1' cannot be used: %2"
+                     : isStrategy ? "strategy '%1' cannot be used: %2"
+                                  : "post-processor '%1' cannot be used: %2",
                      {name, joinTexts(reasons, "; ")}),
                 {}, "install a plugin that fits, or see `camcli plugins list`");
   }
@@ -407,8 +410,9 @@ void PluginHost::State::missing(std::string_view id, ComponentKind kind) const {
     hint = text("its maker is the owner of %1; %2", {maker, hint});
   }
   throw Error(ErrorCode::PluginMissing,
-              text(slicing ? "no plugin provides the strategy '%1'"
-                           : "no plugin provides the post-processor '%1'",
+              text(any          ? "no plugin provides the component '%1'"
+                   : isStrategy ? "no plugin provides the strategy '%1'"
+                                : "no plugin provides the post-processor '%1'",
                    {name}),
               {}, hint);
 }
@@ -527,8 +531,11 @@ ComponentInfo PluginHost::info(std::string_view id) const {
     if (entry.id == id && entry.kind == ComponentKind::Slicing) {
       return findSlicing(id)->info;
     }
+    if (entry.id == id && entry.kind == ComponentKind::Post) {
+      return findPost(id)->info;
+    }
   }
-  return findPost(id)->info;
+  state_->missing(id, ComponentKind::Post, true);
 }
 
 }  // namespace wcam::plugin

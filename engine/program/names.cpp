@@ -6,6 +6,7 @@
 #include "wcam/base/error.hpp"
 #include "wcam/base/sha256.hpp"
 #include "wcam/base/text.hpp"
+#include "wcam/program/ascii.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,10 +27,6 @@ bool isDigit(char c) {
 
 char upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
-bool continuesUtf8(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
 constexpr std::size_t kHashLength = 3;
@@ -56,10 +53,7 @@ std::string controllerName(std::string_view text,
                            std::string_view fallback) {
   WCAM_ASSERT(maxLength >= kShortestName);
   std::string name;
-  for (const char c : text) {
-    if (continuesUtf8(c)) {
-      continue;
-    }
+  for (const char c : toAscii(text, '_')) {
     if (name.empty() && !isLetter(c)) {
       // A leading digit is worth keeping behind a letter; leading marks are not.
       name += isDigit(c) ? std::string("P") + c : std::string();
@@ -117,16 +111,18 @@ std::vector<std::string> partNames(std::string_view wanted,
 }
 
 std::string asciiComment(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
+  std::string result = toAscii(text, '?');
+  for (char& c : result) {
     const auto code = static_cast<unsigned char>(c);
-    if (code < 0x80) {
-      result += code < 0x20 || code == 0x7F ? ' ' : c;
-    } else if (!continuesUtf8(c)) {
-      result += '?';
-    }
+    c = code < 0x20 || code == 0x7F ? ' ' : c;
   }
   return result;
+}
+
+bool keepsName(std::string_view text, std::string_view name) {
+  return std::equal(text.begin(), text.end(), name.begin(), name.end(), [](char a, char b) {
+    return upper(a) == b || (b == '_' && (a == '-' || a == ' ' || a == '.'));
+  });
 }
 
 std::vector<std::string> wrapComment(std::string_view text, std::size_t width) {

@@ -60,8 +60,12 @@ public:
       : program_(program), limits_(limits), all_(program.instructions) {
     sizes_.reserve(all_.size() + 1);
     sizes_.push_back({});
-    for (const Instruction& instruction : all_) {
-      sizes_.push_back(sizes_.back() + sizeOf(instruction.action));
+    const std::vector<int> lines =
+        limits_.linesInOrder ? limits_.linesInOrder(all_) : std::vector<int>();
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      Size own = sizeOf(all_[i].action);
+      own.lines = lines.empty() ? own.lines : static_cast<std::size_t>(lines[i]);
+      sizes_.push_back(sizes_.back() + own);
     }
     findSeams();
   }
@@ -348,6 +352,15 @@ NamedParts splitNamed(const Program& program,
                       "%2",
                       {plain, result.main}),
                  "set program_name to another name",
+                 {program.name},
+                 {}});
+  } else if (!keepsName(wanted, result.main)) {
+    context.add({Severity::Information,
+                 "post.name_changed",
+                 text("'%1' becomes %2: names of programs have letters from A to Z, digits and _, "
+                      "begin with a letter and have at most %3 characters",
+                      {std::string(wanted), result.main, std::to_string(rules.longest)}),
+                 "set program_name to a name of this form",
                  {program.name},
                  {}});
   }

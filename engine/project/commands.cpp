@@ -106,7 +106,9 @@ Value addNode(const NodeType& type, const Document& document, const Value& args)
   if (const Value* wanted = args.find("index")) {
     index = static_cast<std::size_t>(wanted->asInteger());
     if (index > nodes.size()) {
-      refuse(text("index: the list has only %1 entries", {std::to_string(nodes.size())}));
+      refuse(nodes.size() == 1
+                 ? text("index: the list has only 1 entry")
+                 : text("index: the list has only %1 entries", {std::to_string(nodes.size())}));
     }
   }
   nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(index), std::move(node));
@@ -184,7 +186,9 @@ Value moveNode(const NodeType& type, const Document& document, const Value& args
   const auto to = static_cast<std::size_t>(args.at("index").asInteger());
   auto& nodes = mutableList(tree, type).mutableArray();
   if (to >= nodes.size()) {
-    refuse(text("index: the list has only %1 entries", {std::to_string(nodes.size())}));
+    refuse(nodes.size() == 1
+               ? text("index: the list has only 1 entry")
+               : text("index: the list has only %1 entries", {std::to_string(nodes.size())}));
   }
   const Value node = nodes[from];
   nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(from));

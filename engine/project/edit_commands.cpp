@@ -67,7 +67,9 @@ Value addEdit(const Document& document, const Value& args) {
   const std::size_t index =
       wanted != nullptr ? static_cast<std::size_t>(wanted->asInteger()) : edits.size();
   if (index > edits.size()) {
-    refuse(text("index: the list has only %1 entries", {std::to_string(edits.size())}));
+    refuse(edits.size() == 1
+               ? text("index: the list has only 1 entry")
+               : text("index: the list has only %1 entries", {std::to_string(edits.size())}));
   }
   auto& list = edits.mutableArray();
   list.insert(list.begin() + static_cast<std::ptrdiff_t>(index), std::move(edit));
@@ -136,7 +138,9 @@ Value moveEdit(const Document& document, const Value& args) {
   const std::size_t from = editIndex(edits, args);
   const auto to = static_cast<std::size_t>(args.at("index").asInteger());
   if (to >= edits.size()) {
-    refuse(text("index: the list has only %1 entries", {std::to_string(edits.size())}));
+    refuse(edits.size() == 1
+               ? text("index: the list has only 1 entry")
+               : text("index: the list has only %1 entries", {std::to_string(edits.size())}));
   }
   auto& list = edits.mutableArray();
   const Value edit = list[from];

@@ -258,6 +258,33 @@ std::string parameters(const Document& document, const std::string& operation) {
          "</pre></details>";
 }
 
+/// Programs that were not written, with the violations that keep them back.
+std::string keptBack(const RunResult& result) {
+  if (result.keptBack.empty()) {
+    return {};
+  }
+  std::string html = "\n" + element("h2", "Kept back") +
+                     "<table><tr><th>Operation</th><th>Output</th><th>Why</th></tr>";
+  for (const KeptBack& kept : result.keptBack) {
+    std::vector<std::string> why;
+    for (const OperationResult& operation : result.operations) {
+      for (const Diagnostic& finding : operation.findings) {
+        // Of an output: what its post-processor found; else what stops all outputs.
+        const bool ofPost = finding.code.starts_with("post.");
+        if (operation.id == kept.operation && finding.severity == Severity::Violation &&
+            ofPost == !kept.output.empty() &&
+            std::find(why.begin(), why.end(), finding.code) == why.end()) {
+          why.push_back(finding.code);
+        }
+      }
+    }
+    html += "<tr>" + element("td", kept.operation) +
+            element("td", kept.output.empty() ? "all outputs" : kept.output) + "<td>" +
+            htmlEscaped("violates checks: " + joinText(why, ", ")) + "</td></tr>";
+  }
+  return html + "</table>";
+}
+
 }  // namespace
 
 std::string htmlReport(const Document& document, const RunResult& result) {
@@ -288,6 +315,7 @@ std::string htmlReport(const Document& document, const RunResult& result) {
             findingRows(operation.findings) + processPlots(operation) +
             jointRows(operation, report) + parameters(document, operation.id);
   }
+  html += keptBack(result);
   if (!result.files.empty()) {
     html += "\n" + element("h2", "Files") + "<table><tr><th>File</th><th>Bytes</th></tr>";
     for (const WrittenFile& file : result.files) {
@@ -295,6 +323,12 @@ std::string htmlReport(const Document& document, const RunResult& result) {
               "</td></tr>";
     }
     html += "</table>";
+  } else {
+    html += "\n" + element("h2", "Files") + element("p", "No file was written.");
+  }
+  if (!result.leftFiles.empty()) {
+    html += element("p", "Not written again by this run, and perhaps out of date: " +
+                             joinText(result.leftFiles, ", "));
   }
   return html + "</body></html>\n";
 }

@@ -26,6 +26,27 @@ std::string controllerOf(const std::filesystem::path& cell) {
   }
 }
 
+/// How far the part frame of a cell whose robot carries the part lies above the flange, mm; 0 where
+/// that is not so, or not known.
+double aboveFlange(const std::filesystem::path& cell) {
+  if (cell.empty()) {
+    return 0.0;
+  }
+  try {
+    const Value file = parseJson(readFile(cell), pathText(cell));
+    const Value* holder = file.find("part_holder");
+    double height = 0.0;
+    for (const char* key : {"T_flange_table", "T_table_part"}) {
+      const Value* pose = holder != nullptr ? holder->find(key) : nullptr;
+      const Value* xyz = pose != nullptr ? pose->find("xyz") : nullptr;
+      height += xyz != nullptr && xyz->size() == 3 ? xyz->asArray()[2].asReal() : 0.0;
+    }
+    return height;
+  } catch (const Error&) {
+    return 0.0;
+  }
+}
+
 Value outputOf(const std::string& post) {
   const std::string id = post.substr(post.rfind('.') + 1);
   return Value::object({{"id", id}, {"post", post}});
@@ -52,6 +73,16 @@ Value newOutputs(const plugin::PluginHost& plugins, const std::filesystem::path&
     }
   }
   return Value::array();
+}
+
+Value newPlate(const std::filesystem::path& cell) {
+  constexpr double kSide = 300.0;
+  constexpr double kThickness = 10.0;
+  const double above = aboveFlange(cell);
+  return Value::object(
+      {{"id", "plate"},
+       {"type", "plate"},
+       {"size_mm", Value(Value::Array{kSide, kSide, above > 0.0 ? above : kThickness})}});
 }
 
 }  // namespace wcam::project

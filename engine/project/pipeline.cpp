@@ -15,6 +15,7 @@
 #include "wcam/toolpath/edit_findings.hpp"
 #include "wcam/toolpath/part_coverage.hpp"
 
+#include "part_names.hpp"
 #include "part_wall.hpp"
 #include "remedies.hpp"
 #include "stage_size.hpp"
@@ -35,9 +36,9 @@ constexpr int kPathVersion = 4;
 constexpr int kEditsVersion = 3;
 constexpr int kProcessVersion = 4;
 constexpr int kCellVersion = 3;
-constexpr int kMotionVersion = 6;
+constexpr int kMotionVersion = 7;
 constexpr int kProgramVersion = 3;
-constexpr int kRemediesVersion = 1;
+constexpr int kRemediesVersion = 2;
 
 std::string placementText(const Placement& placement) {
   std::string text;
@@ -105,9 +106,30 @@ OperationError::~OperationError() = default;
 
 namespace {
 
+/// Ids of the post-processors that write for a controller.
+std::vector<std::string> postsFor(const plugin::PluginHost& plugins,
+                                  const std::string& controller) {
+  std::vector<std::string> ids;
+  for (const plugin::ComponentEntry& component : plugins.components()) {
+    if (component.kind != plugin::ComponentKind::Post) {
+      continue;
+    }
+    try {
+      const std::vector<std::string>& own = plugins.findPost(component.id)->info.controllers;
+      if (std::find(own.begin(), own.end(), controller) != own.end()) {
+        ids.push_back(component.id);
+      }
+    } catch (const Error&) {
+      continue;  // refused: no advice
+    }
+  }
+  return ids;
+}
+
 /// Joint values, frames and configurations of one make mean something else on another.
 void checkController(const plugin::ComponentInfo& post,
                      const program::Program& program,
+                     const plugin::PluginHost& plugins,
                      const JobContext& context) {
   const std::string& controller = program.cell.controller;
   if (post.controllers.empty() || std::find(post.controllers.begin(), post.controllers.end(),
@@ -125,13 +147,16 @@ void checkController(const plugin::ComponentInfo& post,
          {}});
     return;
   }
+  const std::vector<std::string> fitting = postsFor(plugins, controller);
   context.add(
       {Severity::Warning,
        "post.other_controller",
        text("the controller of the cell is %1, the program is written for %2", {controller, makes}),
-       text("use a post-processor that writes for %1, where there is one; otherwise check every "
-            "joint value and frame before the program runs",
-            {controller}),
+       fitting.empty()
+           ? text("no post-processor that is installed writes for %1: check every joint value and "
+                  "frame before the program runs",
+                  {controller})
+           : text("use %1, which writes for %2", {joinText(fitting, ", "), controller}),
        {program.name},
        {}});
 }
@@ -407,7 +432,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
   result.id = operation.id;
   result.strategy = operation.strategy;
   const auto collectFrom = [&](const auto& staged) {
-    collect(result.findings, staged.findings, operation.id);
+    collect(result.findings, detail::withPartNames(staged.findings, operation.parts), operation.id);
   };
 
   plugin::SliceInput input;
@@ -643,7 +668,7 @@ std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
   const auto post = plugins_->findPost(output.post);
   try {
     const Value params = post->info.params.complete(output.params, "params");
-    checkController(post->info, *result.program, context);
+    checkController(post->info, *result.program, *plugins_, context);
     return post->post->post(*result.program, params, context);
   } catch (const Error& error) {
     rethrowIn(error, text("output '%1', operation '%2'", {output.id, result.id}));

@@ -15,7 +15,12 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -44,6 +49,44 @@ std::string ownLines(ProjectLock::Use use) {
          (use == ProjectLock::Use::Open ? kOpen : kChange) + "\n";
 }
 
+/// The number behind a name in /proc/PID/status, hexadecimal; 0 where there is none.
+unsigned long long pendingSignals(const std::string& status, std::string_view name) {
+  const std::size_t at = status.find(name);
+  return at == std::string::npos ? 0
+                                 : std::strtoull(status.c_str() + at + name.size(), nullptr, 16);
+}
+
+/// A process that was killed keeps its files until the system has taken it apart, which can take a
+/// second: it uses the project no more.
+bool isEnding(const std::string& pid) {
+  const std::filesystem::path folder = std::filesystem::path("/proc") / pid;
+  std::ifstream stream(folder / "status");
+  const std::string status((std::istreambuf_iterator<char>(stream)), {});
+  if (status.empty()) {
+    return true;
+  }
+  const std::size_t state = status.find("State:\t");
+  const char letter = state == std::string::npos ? ' ' : status[state + 7];
+  constexpr unsigned long long kKill = 1ULL << (SIGKILL - 1);
+  std::error_code gone;
+  (void)std::filesystem::read_symlink(folder / "exe", gone);
+  return letter == 'Z' || letter == 'X' || gone == std::errc::no_such_file_or_directory ||
+         ((pendingSignals(status, "\nSigPnd:\t") | pendingSignals(status, "\nShdPnd:\t")) &
+          kKill) != 0;
+}
+
+/// Is a process of this machine that the lock's text names on its way out?
+bool isHeldByEnding(int fd) {
+  std::array<char, 512> buffer{};
+  const ssize_t size = ::pread(fd, buffer.data(), buffer.size(), 0);
+  const std::vector<std::string> lines =
+      splitText(std::string(buffer.data(), static_cast<std::size_t>(size > 0 ? size : 0)), '\n');
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return lines.size() >= 3 && lines[1] == host.data() && !lines[0].empty() &&
+         lines[0].find_first_not_of("0123456789") == std::string::npos && isEnding(lines[0]);
+}
+
 ProjectLock::Attempt heldBy(int fd) {
   std::array<char, 512> buffer{};
   const ssize_t size = ::pread(fd, buffer.data(), buffer.size(), 0);
@@ -69,8 +112,10 @@ bool isCurrent(int fd, const std::filesystem::path& file) {
 }  // namespace
 
 ProjectLock::Attempt ProjectLock::attempt(const std::filesystem::path& project, Use use) {
+  constexpr int kWaits = 500;
+  constexpr std::chrono::milliseconds kPause(10);
   const std::filesystem::path file = lockFile(project);
-  while (true) {
+  for (int waits = 0;;) {
     const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) {
       Attempt failed;
@@ -80,6 +125,12 @@ ProjectLock::Attempt ProjectLock::attempt(const std::filesystem::path& project, 
     if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       Attempt failed;
+      if (error == EWOULDBLOCK && waits < kWaits && isHeldByEnding(fd)) {
+        ::close(fd);
+        ++waits;
+        std::this_thread::sleep_for(kPause);
+        continue;
+      }
       if (error == EWOULDBLOCK || error == EINTR) {
         failed = heldBy(fd);
       } else {
@@ -104,10 +155,11 @@ ProjectLock::Attempt ProjectLock::attempt(const std::filesystem::path& project, 
 }
 
 std::unique_ptr<ProjectLock> ProjectLock::take(const std::filesystem::path& project, Use use) {
-  constexpr int kTries = 3000;
+  constexpr std::chrono::seconds kLongest(30);
   constexpr std::chrono::milliseconds kPause(10);
   Attempt last;
-  for (int i = 0; i < kTries; ++i) {
+  const auto start = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - start < kLongest) {
     last = attempt(project, use);
     if (last.lock != nullptr) {
       return std::move(last.lock);

@@ -212,8 +212,23 @@ void keepInputs(const Pipeline& pipeline, OutputPlan& plan) {
 void planOutputs(const std::filesystem::path& folder,
                  const std::vector<PendingFile>& pending,
                  OutputPlan& plan) {
-  for (const PendingFile& file : pending) {
-    plan.write(folder / pathFromText(file.file.path), writerName(file.file));
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    const WrittenFile& file = pending[i].file;
+    // Of one output only the names of the operations, or its own setting, can tell them apart.
+    for (std::size_t k = 0; k < i; ++k) {
+      const WrittenFile& other = pending[k].file;
+      if (!file.output.empty() && other.output == file.output &&
+          other.operation != file.operation && other.path == file.path) {
+        throw Error(
+            ErrorCode::OutputConflict,
+            text("the operations '%1' and '%2' both get the program %3 of output '%4'",
+                 {other.operation, file.operation, file.path, file.output}),
+            text("output '%1'", {file.output}),
+            "rename one of the operations; if the output sets program_name, leave it empty, "
+            "so that each program bears the name of its operation");
+      }
+    }
+    plan.write(folder / pathFromText(file.path), writerName(file));
   }
 }
 

@@ -42,12 +42,6 @@ JobRunner::Post postTo(QObject* object) {
   };
 }
 
-Value plate() {
-  return Value::object({{"id", "plate"},
-                        {"type", "plate"},
-                        {"size_mm", Value(Value::Array{Value(300.0), Value(300.0), Value(10.0)})}});
-}
-
 }  // namespace
 
 std::string idFrom(const QString& text) {
@@ -111,6 +105,10 @@ NewDialog::NewDialog(QWidget* parent) : QDialog(parent) {
     cell_->addItem(qt(cell.name), qt(cell.path));
     cell_->setItemData(cell_->count() - 1, qt(cell.description), Qt::ToolTipRole);
   }
+  // The cell that `camcli new` takes.
+  cell_->setCurrentIndex(std::max(cell_->findData(qt(std::string(project::kShippedPrefix) +
+                                                     "cells/" + project::kDefaultCell + ".json")),
+                                  0));
   about_ = new QLabel(this);
   about_->setWordWrap(true);
   auto* form = new QFormLayout(this);
@@ -139,18 +137,18 @@ project::Document NewDialog::document(const plugin::PluginHost& plugins) const {
     const std::string cell = utf8(cell_->currentData().toString());
     Value tree = Value::object({{"format", project::kFormatName},
                                 {"format_version", project::kFormatVersion},
-                                {"name", "untitled"}});
+                                {"name", Session::kUntitled}});
     if (!cell.empty()) {
       tree.set("cell", Value::object({{"path", cell}, {"sha256", ""}}));
     }
     tree.set("parts", Value::array());
-    tree.set("substrates", Value(Value::Array{plate()}));
+    const std::filesystem::path cellFile =
+        cell.empty() ? std::filesystem::path() : project::resolvePath({}, {cell, ""});
+    tree.set("substrates", Value(Value::Array{project::newPlate(cellFile)}));
     tree.set("processes",
              Value(Value::Array{Value::object({{"id", "wire"}, {"params", Value::object()}})}));
     tree.set("operations", Value::array());
-    tree.set("outputs",
-             project::newOutputs(plugins, cell.empty() ? std::filesystem::path()
-                                                       : project::resolvePath({}, {cell, ""})));
+    tree.set("outputs", project::newOutputs(plugins, cellFile));
     return project::Document::parse(tree);
   }
   // The files of the example are named in full until the project is saved.
@@ -292,7 +290,7 @@ void ImportDialog::show(const io::ImportedPart& part, const std::vector<Diagnost
     for (const Diagnostic& d : findings) {
       html +=
           "<li>" + engineText(d.message).toHtmlEscaped() +
-          (d.remedy.empty() ? QString() : " <i>" + engineText(d.remedy).toHtmlEscaped() + "</i>") +
+          (d.remedy.empty() ? QString() : ": <i>" + engineText(d.remedy).toHtmlEscaped() + "</i>") +
           "</li>";
     }
     html += "</ul>";
@@ -454,7 +452,10 @@ std::vector<project::Command> OperationDialog::commands() const {
   std::vector<project::Command> commands;
   const project::Project& project = session_.document().project();
   if (project.substrates.empty()) {
-    commands.push_back({"substrate.add", plate()});
+    const std::filesystem::path cell = project.cell.path.empty()
+                                           ? std::filesystem::path()
+                                           : project::resolvePath(session_.base(), project.cell);
+    commands.push_back({"substrate.add", project::newPlate(cell)});
   }
   if (project.processes.empty()) {
     commands.push_back(

@@ -62,13 +62,13 @@ void MainWindow::measure(const viewport::Pick& pick) {
     const viewport::Point a = *measureFrom_;
     const viewport::Point b = pick.position;
     const double d = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-    const QString text = QString("%1 mm").arg(d, 0, 'f', 3);
+    const QString text = QString("%1 mm").arg(figureText(d, 3));
     view_->scene().setMeasure(std::pair(a, b), utf8(text));
     status_->setText(tr("Distance %1 (Δx %2, Δy %3, Δz %4)")
                          .arg(text)
-                         .arg(b[0] - a[0], 0, 'f', 3)
-                         .arg(b[1] - a[1], 0, 'f', 3)
-                         .arg(b[2] - a[2], 0, 'f', 3));
+                         .arg(figureText(b[0] - a[0], 3))
+                         .arg(figureText(b[1] - a[1], 3))
+                         .arg(figureText(b[2] - a[2], 3)));
     measureFrom_.reset();
   }
   view_->redraw();
@@ -87,20 +87,22 @@ QString moveTip(const PathModel& path, std::size_t move) {
   tip += "<table>";
   const toolpath::PathPoint* point = path.pathPoint(move);
   if (point != nullptr) {
-    row(MainWindow::tr("Position"), QString("%1, %2, %3 mm")
-                                        .arg(point->p.x(), 0, 'f', 2)
-                                        .arg(point->p.y(), 0, 'f', 2)
-                                        .arg(point->p.z(), 0, 'f', 2));
-    row(nameOf(Quantity::Height), QString("%1 mm").arg(point->height, 0, 'f', 3));
-    row(nameOf(Quantity::Distance), QString("%1 mm").arg(point->distance, 0, 'f', 3));
-    row(nameOf(Quantity::Width), QString("%1 mm").arg(point->width, 0, 'f', 2));
-    row(nameOf(Quantity::TravelSpeed), QString("%1 mm/s").arg(point->speed, 0, 'f', 2));
+    row(MainWindow::tr("Position"),
+        QStringList(
+            {figureText(point->p.x(), 2), figureText(point->p.y(), 2), figureText(point->p.z(), 2)})
+                .join(listSeparator()) +
+            " mm");
+    row(nameOf(Quantity::Height), QString("%1 mm").arg(figureText(point->height, 3)));
+    row(nameOf(Quantity::Distance), QString("%1 mm").arg(figureText(point->distance, 3)));
+    row(nameOf(Quantity::Width), QString("%1 mm").arg(figureText(point->width, 2)));
+    row(nameOf(Quantity::TravelSpeed), QString("%1 mm/s").arg(figureText(point->speed, 2)));
     row(nameOf(Quantity::WireSpeed),
-        QString("%1 m/min").arg(toFileUnit(QuantityKind::WireSpeed, point->wireSpeed), 0, 'f', 2));
+        QString("%1 m/min")
+            .arg(figureText(toFileUnit(QuantityKind::WireSpeed, point->wireSpeed), 2)));
   }
   if (const motion::Waypoint* waypoint = path.waypoint(move)) {
-    row(nameOf(Quantity::TcpSpeed), QString("%1 mm/s").arg(waypoint->tcpSpeed, 0, 'f', 2));
-    row(nameOf(Quantity::Time), QString("%1 s").arg(waypoint->time, 0, 'f', 1));
+    row(nameOf(Quantity::TcpSpeed), QString("%1 mm/s").arg(figureText(waypoint->tcpSpeed, 2)));
+    row(nameOf(Quantity::Time), QString("%1 s").arg(figureText(waypoint->time, 1)));
     const cell::Cell* cell = path.result().cell.get();
     QStringList joints;
     for (int j = 0; cell != nullptr && j < waypoint->joints.size(); ++j) {
@@ -131,7 +133,7 @@ void MainWindow::showTip(const viewport::Pick& pick, const QPoint& global) {
       tip = tr("<b>Edge %1</b> %2<br/>length %3 mm")
                 .arg(pick.index)
                 .arg(qt(edge.name))
-                .arg(edge.length, 0, 'f', 2);
+                .arg(figureText(edge.length, 2));
     }
   }
   if (tip.isEmpty()) {

@@ -275,10 +275,18 @@ bool MainWindow::openFile(const std::filesystem::path& file) {
       }
     }
     if (!session_->lockedBy().isEmpty()) {
-      notify(Status::Warning, tr("Another program has this project open (%1). It can be changed "
-                                 "here, but only saved under "
-                                 "another name.")
-                                  .arg(session_->lockedBy()));
+      std::error_code ignored;
+      const std::filesystem::path saved = project::autosavePath(session_->file());
+      notify(
+          Status::Warning,
+          (std::filesystem::exists(saved, ignored)
+               ? tr("Another program has this project open (%1), with changes that are not saved "
+                    "(%2). It can be changed here, but only saved under another name.")
+                     .arg(session_->lockedBy(), qt(pathText(saved.filename())))
+               : tr("Another program has this project open (%1). It can be changed "
+                    "here, but only saved under "
+                    "another name.")
+                     .arg(session_->lockedBy())));
     } else if (recovered) {
       notify(Status::Information,
              tr("The changes that were not saved are back. Save the project to keep them."));

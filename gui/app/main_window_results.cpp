@@ -151,7 +151,10 @@ std::vector<FindingRow> MainWindow::findingRows() const {
     }
   }
   for (const Diagnostic& finding : results.findings) {
-    rows.push_back(rowOf(finding));
+    // The first save brings the files to the project.
+    if (!session_->file().empty() || finding.code != "project.path_absolute") {
+      rows.push_back(rowOf(finding));
+    }
   }
   for (const GeneratedOperation& operation : results.operations) {
     // Those of an old path are about layers that may be gone.
@@ -213,7 +216,7 @@ void MainWindow::showState() {
                          .arg(qt(path->result().id))
                          .arg(path->layerCount())
                          .arg(path->result().path->pointCount())
-                         .arg(QString("%1 min").arg(path->totalTime() / 60.0, 0, 'f', 1)));
+                         .arg(QString("%1 min").arg(figureText(path->totalTime() / 60.0, 1))));
   } else {
     status_->setText(session_->document().project().parts.empty()
                          ? tr("Drop a CAD file here, or choose File › Import part")

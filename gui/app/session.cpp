@@ -128,7 +128,7 @@ Session::Session(std::shared_ptr<const plugin::PluginHost> plugins, QObject* par
           256, static_cast<std::size_t>(budget().memoryMb << 20U) / 4)),
       generation_(std::make_unique<JobRunner>(postTo(this))),
       tasks_(std::make_unique<JobRunner>(postTo(this))) {
-  setHistory(project::Document::empty("untitled"));
+  setHistory(project::Document::empty(kUntitled));
   history_->markClean();
   delay_.setSingleShot(true);
   delay_.setInterval(kDelayMs);
@@ -294,6 +294,13 @@ void Session::saveAs(const std::filesystem::path& file) {
   const std::filesystem::path path = std::filesystem::absolute(file);
   // Its own lock is held; another project that is open elsewhere is not replaced.
   auto target = path == file_ && lock_ ? nullptr : project::ProjectLock::take(path);
+  // A project that got no name of its own bears that of its first file.
+  if (file_.empty() && document().project().name == kUntitled) {
+    if (const auto error =
+            apply({"project.rename", Value::object({{"name", pathText(path.stem())}})}, {})) {
+      throw Error(*error);
+    }
+  }
   bringFiles(path, {});
   project::saveProject(document(), path);
   project::dropAutosave(path);

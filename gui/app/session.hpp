@@ -27,6 +27,9 @@ class Session : public QObject {
   Q_OBJECT
 
 public:
+  /// Name of a project that was never saved.
+  static constexpr const char* kUntitled = "untitled";
+
   explicit Session(std::shared_ptr<const plugin::PluginHost> plugins, QObject* parent = nullptr);
   ~Session() override;
 

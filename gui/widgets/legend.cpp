@@ -33,7 +33,7 @@ constexpr int kTicks = 5;
 QString number(double value, double span) {
   const int decimals =
       span > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(span))), 0, 4) : 2;
-  return QString::number(value, 'f', decimals);
+  return figureText(value, decimals);
 }
 
 }  // namespace
@@ -71,7 +71,11 @@ QStringList Legend::rows() const {
     return rows;
   }
   const double span = static_cast<double>(colours_.high) - colours_.low;
-  const int ticks = span > 0.0 ? kTicks : 1;
+  // Layers are whole: no more ticks than there are.
+  const int most = state_.colour() == Quantity::Layer
+                       ? std::min(kTicks, static_cast<int>(std::lround(span)) + 1)
+                       : kTicks;
+  const int ticks = span > 0.0 ? most : 1;
   for (int i = 0; i < ticks; ++i) {
     const double value = colours_.low + (ticks > 1 ? span * i / (ticks - 1) : 0.5 * span);
     rows.append(state_.colour() == Quantity::Layer ? QString::number(std::lround(value) + 1)
@@ -184,7 +188,7 @@ void Legend::editRange() {
   }
   // People count layers from 1.
   const double first = state_.colour() == Quantity::Layer ? 1.0 : 0.0;
-  const auto shown = [first](float value) { return QString::number(value + first); };
+  const auto shown = [first](float value) { return shortFigure(value + first, 6); };
   if (state_.range()) {
     low->setText(shown(state_.range()->first));
     high->setText(shown(state_.range()->second));

@@ -4,6 +4,7 @@
 #include "move_bar.hpp"
 
 #include "icons.hpp"
+#include "text.hpp"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -65,7 +66,7 @@ QString timeText(double seconds) {
   }
   return QString("%1:%2")
       .arg(whole / 60)
-      .arg(seconds - static_cast<double>(whole / 60 * 60), 4, 'f', 1, QChar('0'));
+      .arg(figureText(seconds - static_cast<double>(whole / 60 * 60), 1), 4, QChar('0'));
 }
 
 MoveBar::MoveBar(ViewState& state, QWidget* parent) : QWidget(parent), state_(state) {

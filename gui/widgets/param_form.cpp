@@ -13,17 +13,22 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStyle>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
@@ -47,20 +52,62 @@ public:
 
   void showPopup() override {
     const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    view()->setMinimumWidth(view()->sizeHintForColumn(0) + bar);
+    const QRect room = screen()->availableGeometry();
+    view()->setMinimumWidth(std::min(view()->sizeHintForColumn(0) + bar, room.width()));
     QComboBox::showPopup();
+    // A list that is wider than its box stays on the screen.
+    QWidget* list = view()->window();
+    if (list != window() && list->frameGeometry().right() > room.right()) {
+      list->move(std::max(room.left(), room.right() + 1 - list->frameGeometry().width()),
+                 list->y());
+    }
   }
 
 protected:
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+
+  /// A text that has no room ends in an ellipsis …
+  void paintEvent(QPaintEvent*) override {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    option.currentText =
+        fontMetrics().elidedText(option.currentText, Qt::ElideRight, roomForText(option));
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+  }
+
+  /// … and stands in full in the tip.
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ToolTip) {
+      QStyleOptionComboBox option;
+      initStyleOption(&option);
+      if (fontMetrics().horizontalAdvance(currentText()) > roomForText(option)) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                           "<b>" + currentText().toHtmlEscaped() + "</b><br/>" + toolTip(), this);
+        return true;
+      }
+    }
+    return QComboBox::event(event);
+  }
+
+private:
+  [[nodiscard]] int roomForText(const QStyleOptionComboBox& option) const {
+    constexpr int kMargins = 4;
+    return style()
+               ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this)
+               .width() -
+           kMargins;
+  }
 };
 
 QString numberText(double value) {
-  QString text = qt(formatReal(value));
+  // Without a sign that only rounding has left.
+  QString text = qt(formatReal(value == 0.0 ? 0.0 : value));
   if (text.endsWith(".0")) {
     text.chop(2);
   }
-  return text;
+  return localFigure(text);
 }
 
 QString valueText(const Value& value) {
@@ -81,7 +128,7 @@ QString valueText(const Value& value) {
     for (const Value& item : value.asArray()) {
       items.append(valueText(item));
     }
-    return items.join(", ");
+    return items.join(listSeparator());
   }
   return {};
 }

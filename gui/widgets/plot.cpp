@@ -152,7 +152,7 @@ void Plot::draw() {
     painter.drawLine(QPointF(box.left(), yOf(v)), QPointF(box.right(), yOf(v)));
     painter.setPen(text);
     painter.drawText(QRectF(0, yOf(v) - 9, box.left() - 6, 18), Qt::AlignRight | Qt::AlignVCenter,
-                     QString::number(std::abs(v) < 1e-9 * yStep ? 0.0 : v, 'g', 5));
+                     shortFigure(std::abs(v) < 1e-9 * yStep ? 0.0 : v, 5));
   }
   const double xStep = stepOf(to_ - from_, std::max(static_cast<int>(box.width() / 110), 2));
   for (const double t : ticks(from_, to_, xStep)) {
@@ -160,7 +160,7 @@ void Plot::draw() {
     painter.drawLine(QPointF(xOf(t), box.top()), QPointF(xOf(t), box.bottom()));
     painter.setPen(text);
     painter.drawText(QRectF(xOf(t) - 50, box.bottom() + 4, 100, 18),
-                     Qt::AlignHCenter | Qt::AlignTop, QString::number(t, 'g', 6) + " s");
+                     Qt::AlignHCenter | Qt::AlignTop, shortFigure(t, 6) + " s");
   }
   painter.setPen(text);
   painter.drawText(QRectF(2, 0, box.left() - 8, 16), Qt::AlignLeft, unit_);

@@ -4,8 +4,56 @@
 #include "text.hpp"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
 
 namespace wcam::gui {
+
+namespace {
+
+QLocale plainLocale() {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale;
+}
+
+/// The figures among the arguments of a text in the user's language.
+Text withLocalFigures(const Text& text) {
+  if (text.arguments().empty()) {
+    return text.foreign() ? Text(utf8(localFigure(qt(text.pattern())))) : text;
+  }
+  std::vector<Text> arguments;
+  arguments.reserve(text.arguments().size());
+  for (const Text& argument : text.arguments()) {
+    arguments.push_back(withLocalFigures(argument));
+  }
+  return {text.pattern(), std::move(arguments)};
+}
+
+}  // namespace
+
+QString figureText(double value, int decimals) {
+  return plainLocale().toString(value, 'f', decimals);
+}
+
+QString shortFigure(double value, int digits) {
+  return plainLocale().toString(value, 'g', digits);
+}
+
+QString listSeparator() {
+  return QLocale().decimalPoint() == "," ? QStringLiteral("; ") : QStringLiteral(", ");
+}
+
+QString localFigure(const QString& text) {
+  static const QRegularExpression kFigure(
+      QStringLiteral("^[-+]?[0-9]+\\.[0-9]+(e[-+]?[0-9]+)?( [^0-9 ]\\S*)?$"));
+  const QString point = QLocale().decimalPoint();
+  if (point == "." || !kFigure.match(text).hasMatch()) {
+    return text;
+  }
+  QString local = text;
+  return local.replace(local.indexOf('.'), 1, point);
+}
 
 QString errorText(const Error& error) {
   QString text = engineText(error.whatText());
@@ -85,9 +133,13 @@ QString kindName(Quantity quantity, int kind) {
 }
 
 QString engineText(const Text& text) {
-  return qt(render(text, [](const std::string& pattern) {
+  const auto translate = [](const std::string& pattern) {
     return utf8(QCoreApplication::translate("engine", pattern.c_str()));
-  }));
+  };
+  // Words from elsewhere on their own are looked up as they stand.
+  return qt(render(
+      text.arguments().empty() || QLocale().decimalPoint() == "." ? text : withLocalFigures(text),
+      translate));
 }
 
 }  // namespace wcam::gui

@@ -21,6 +21,16 @@ inline std::string utf8(const QString& text) {
   return text.toUtf8().toStdString();
 }
 
+/// A figure as the user's language writes it, without marks between thousands.
+QString figureText(double value, int decimals);
+/// The same with as many digits as it needs, at most `digits`.
+QString shortFigure(double value, int digits);
+/// Between the numbers of a vector: where the comma is the decimal point, a semicolon.
+QString listSeparator();
+/// A text that files write with decimal points as the user's language writes it: a figure, perhaps
+/// with a unit. Anything else stays as it is.
+QString localFigure(const QString& text);
+
 /// Message, place and hint of an error as camcli tells them, in the language of the program.
 QString errorText(const Error& error);
 

@@ -84,7 +84,10 @@ void tell(const Program& program,
                  "post.speed_rounded",
                  wcam::text("the speeds of the program differ from the planned ones by up to %1 %",
                             {wcam::formatFixed(kPercent * state.worstSpeedError, 1)}),
-                 "write speeds in cm/min (speed_unit) or with more decimals (speed_decimals)",
+                 dialect.speedUnit == SpeedUnit::CmPerMinute
+                     ? wcam::Text("write speeds with more decimals (speed_decimals)")
+                     : wcam::Text("write speeds in cm/min (speed_unit) or with more decimals "
+                                  "(speed_decimals)"),
                  {program.name},
                  {{"error_percent", 100.0 * state.worstSpeedError}}});
   }

@@ -121,14 +121,17 @@ void printHead(TextWriter& out,
   printInitialisation(out, program, dialect);
 }
 
+long long axisPercent(const MoveJoint& move) {
+  return std::clamp<long long>(std::llround(100.0 * move.speedRatio), 1, 100);
+}
+
 class MovePrinter {
 public:
   MovePrinter(TextWriter& out, const Program& program, const Dialect& dialect, ModalState& state)
       : out_(out), program_(program), cell_(program.cell), dialect_(dialect), state_(state) {}
 
   void print(const MoveJoint& move) {
-    const auto percent = std::clamp<long long>(std::llround(100.0 * move.speedRatio), 1, 100);
-    axisSpeed(percent);
+    axisSpeed(axisPercent(move));
     out_.text("PTP ");
     if (dialect_.mode == Mode::Joint || dialect_.ptp == Ptp::Axes || ambiguous(move.target)) {
       axes(move.target);
@@ -448,6 +451,15 @@ int linesOf(const Action& action, const Dialect& dialect) {
   if (std::holds_alternative<LayerEnd>(action) || std::holds_alternative<BeadEnd>(action)) {
     return 0;
   }
+  if (std::holds_alternative<LayerBegin>(action)) {
+    return dialect.comments != Comments::None ? 1 : 0;
+  }
+  if (std::holds_alternative<BeadBegin>(action)) {
+    return dialect.comments == Comments::Beads ? 1 : 0;
+  }
+  if (std::holds_alternative<SetProcess>(action)) {
+    return dialect.wireVariable.empty() || dialect.mode == Mode::Joint ? 0 : 1;
+  }
   constexpr int kSpeedAndMove = 2;
   if (std::holds_alternative<MoveCircular>(action)) {
     return 2 * kSpeedAndMove;  // two PTP in joint mode
@@ -464,11 +476,36 @@ int linesOf(const Action& action, const Dialect& dialect) {
   return 1;
 }
 
+std::vector<int> linesInOrder(std::span<const Instruction> instructions, const Dialect& dialect) {
+  std::vector<int> lines;
+  lines.reserve(instructions.size());
+  ModalNumber pathSpeed;
+  ModalNumber axisSpeed;
+  for (const Instruction& instruction : instructions) {
+    const Action& action = instruction.action;
+    const auto* joint = std::get_if<MoveJoint>(&action);
+    const auto* linear = std::get_if<MoveLinear>(&action);
+    const auto* circular = std::get_if<MoveCircular>(&action);
+    if (dialect.mode == Mode::Joint || (!joint && !linear && !circular)) {
+      lines.push_back(linesOf(action, dialect));
+    } else if (joint != nullptr) {
+      lines.push_back(axisSpeed.changes(axisPercent(*joint)) ? 2 : 1);
+    } else {
+      const double speed = linear != nullptr ? linear->speed : circular->speed;
+      lines.push_back(
+          pathSpeed.changes(fixedDigits(speed / kMmPerMetre, dialect.speedDecimals)) ? 2 : 1);
+    }
+  }
+  return lines;
+}
+
 int headLines(const Program& program, const Dialect& dialect) {
   TextWriter head;
   printHead(head, "PROGRAM", program, dialect);
   const std::string_view text = head.view();
-  return 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  // The end, and the speeds of path and axes that hold where a part begins.
+  constexpr int kSpeeds = 2;
+  return 1 + kSpeeds + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
 std::string printProgram(const NamedPart& part,

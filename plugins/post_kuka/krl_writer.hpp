@@ -27,6 +27,10 @@ struct ModalState {
 /// Lines that an instruction needs at most.
 int linesOf(const wcam::program::Action& action, const Dialect& dialect);
 
+/// Lines of each of some instructions that follow one another in one program.
+std::vector<int> linesInOrder(std::span<const wcam::program::Instruction> instructions,
+                              const Dialect& dialect);
+
 /// Lines of a program beside those of its instructions.
 int headLines(const wcam::program::Program& program, const Dialect& dialect);
 

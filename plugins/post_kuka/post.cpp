@@ -117,7 +117,10 @@ public:
     const wcam::program::SplitLimits limits{
         dialect.maxPoints, dialect.maxLines,
         [&dialect](const wcam::program::Action& action) { return linesOf(action, dialect); },
-        headLines(program, dialect)};
+        headLines(program, dialect),
+        [&dialect](std::span<const wcam::program::Instruction> all) {
+          return linesInOrder(all, dialect);
+        }};
     const wcam::program::NamedParts split = wcam::program::splitNamed(
         program, limits, dialect.programName, {kLongestName, kWords}, context);
     std::vector<OutputFile> files;

@@ -3337,10 +3337,6 @@
         <translation>Repliées : à moins de 180 degrés des deux côtés. Continues : la valeur voisine de celle du point précédent, aussi au-delà de 180 degrés.</translation>
     </message>
     <message>
-        <source>Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one that reaches all points inside the limits, if it can with the shoulder to the front and the elbow up, and with the largest margin.</source>
-        <translation>Poignet N ou F, coude en haut ou en bas, épaule devant ou derrière. Automatique en prend une qui atteint tous les points dans les butées, si possible avec l’épaule devant et le coude en haut, et avec la plus grande marge.</translation>
-    </message>
-    <message>
         <source>Writes positions in the frame of the turning table, with $BASE = EK(...): the speed then holds on the part. Without it positions are in the robot base frame.</source>
         <translation>Écrit les positions dans le repère du plateau tournant, avec $BASE = EK(...) : la vitesse vaut alors sur la pièce. Sans cela les positions sont dans le repère de base du robot.</translation>
     </message>
@@ -3831,10 +3827,6 @@
     <message>
         <source>change the rotation about the torch or the configuration, so that the motion keeps away from a singularity</source>
         <translation>changer la rotation autour de la torche ou la configuration, pour que le mouvement reste loin d’une singularité</translation>
-    </message>
-    <message>
-        <source>change the rotation about the torch or the configuration; check the cable&apos;s zero</source>
-        <translation>changer la rotation autour de la torche ou la configuration ; vérifier le zéro du câble</translation>
     </message>
     <message>
         <source>change the rotation about the torch or the place of the part</source>
@@ -6851,10 +6843,6 @@
         <translation>la torche penche de jusqu’à %1 par rapport à l’axe outil de la trajectoire en %2 ; il est permis %3</translation>
     </message>
     <message>
-        <source>the torch&apos;s cable is twisted by up to %1 at %2</source>
-        <translation>le câble de la torche est tordu de jusqu’à %1 en %2</translation>
-    </message>
-    <message>
         <source>the tube folds at t = %1: its radius reaches the guide&apos;s radius of curvature</source>
         <translation>le tube se replie à t = %1 : son rayon atteint le rayon de courbure du guide</translation>
     </message>
@@ -8467,10 +8455,6 @@
         <translation>Vitesse de fil minimale</translation>
     </message>
     <message>
-        <source>Of |J4 + J6|, from the untwisted cable&apos;s value; 0 takes the limit and the zero of the cell file, if it has them. 120 deg is usual for torch cables (Chalvin A33); a large value lifts the limit.</source>
-        <translation>Pour |J4 + J6|, à partir de la valeur du câble non vrillé ; 0 prend la limite et le zéro du fichier de cellule, s’il les donne. 120° est courant pour les faisceaux de torche (Chalvin A33) ; une grande valeur lève la limite.</translation>
-    </message>
-    <message>
         <source>Part of the wanted speed below which the torch must not fall with the arc on, as a mean over a bead&apos;s width: what passes within that, as the slow-down at ends and corners, melts into one pool. Below is a violation.</source>
         <translation>Part de la vitesse voulue sous laquelle la torche ne doit pas descendre arc allumé, en moyenne sur une largeur de cordon : les ralentissements plus courts, aux extrémités et aux angles, se fondent dans le même bain. En dessous, c’est une non-conformité.</translation>
     </message>
@@ -8819,10 +8803,6 @@
         <translation>un programme d&apos;au plus %1 n&apos;a pas la place d&apos;un mouvement</translation>
     </message>
     <message>
-        <source>use a post-processor that writes for %1, where there is one; otherwise check every joint value and frame before the program runs</source>
-        <translation>utilisez un post-processeur qui écrit pour %1, s&apos;il existe ; sinon, vérifiez chaque valeur d&apos;axe et chaque repère avant de lancer le programme</translation>
-    </message>
-    <message>
         <source>%1 would replace %2</source>
         <translation>%1 remplacerait %2</translation>
     </message>
@@ -9141,6 +9121,210 @@
     <message>
         <source>write %1, with a decimal point, or %2, with a blank after the comma</source>
         <translation>écrivez %1, avec un point décimal, ou %2, avec une espace après la virgule</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; becomes %2: names of programs have letters from A to Z, digits and _, begin with a letter and have at most %3 characters</source>
+        <translation>« %1 » devient %2 : les noms de programmes ont des lettres de A à Z, des chiffres et _, commencent par une lettre et ont au plus %3 caractères</translation>
+    </message>
+    <message>
+        <source>Of |J4 + J6|, from the untwisted cable&apos;s value; more is a violation. 0 takes the limit and the zero of the cell file, if it has them. 120 deg is usual for torch cables (Chalvin A33); a large value lifts the limit.</source>
+        <translation>De |J4 + J6|, à partir de la valeur du câble non tordu ; au-delà, c&apos;est une violation. 0 prend la limite et le zéro du fichier de cellule, s&apos;il en a. 120 deg est usuel pour les câbles de torche (Chalvin A33) ; une grande valeur lève la limite.</translation>
+    </message>
+    <message>
+        <source>beads are laid up to %1 inside %2, at %3</source>
+        <translation>des cordons sont déposés jusqu&apos;à %1 à l&apos;intérieur de %2, sur %3</translation>
+    </message>
+    <message>
+        <source>cabinet</source>
+        <translation>armoire</translation>
+    </message>
+    <message>
+        <source>cable envelope</source>
+        <translation>enveloppe des câbles</translation>
+    </message>
+    <message>
+        <source>change the rotation about the torch or the configuration, or raise cable_limit if the cable bears it; check the cable&apos;s zero</source>
+        <translation>changer la rotation autour de la torche ou la configuration, ou augmenter cable_limit si le câble le supporte ; vérifier le zéro du câble</translation>
+    </message>
+    <message>
+        <source>clamp</source>
+        <translation>bride</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>colonne</translation>
+    </message>
+    <message>
+        <source>component &apos;%1&apos; cannot be used: %2</source>
+        <translation>le composant « %1 » ne peut pas être utilisé : %2</translation>
+    </message>
+    <message>
+        <source>correct the file at this place: in JSON numbers are finite and have a decimal point, texts stand in double quotes, and every key stands once in its object</source>
+        <translation>corriger le fichier à cet endroit : en JSON les nombres sont finis et ont un point décimal, les textes sont entre guillemets doubles et chaque clé figure une seule fois dans son objet</translation>
+    </message>
+    <message>
+        <source>elbow</source>
+        <translation>coude</translation>
+    </message>
+    <message>
+        <source>fence</source>
+        <translation>clôture</translation>
+    </message>
+    <message>
+        <source>fixture</source>
+        <translation>montage</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>sol</translation>
+    </message>
+    <message>
+        <source>forearm</source>
+        <translation>avant-bras</translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation>porte-pièce</translation>
+    </message>
+    <message>
+        <source>index: the list has only 1 entry</source>
+        <translation>index : la liste n&apos;a qu&apos;une entrée</translation>
+    </message>
+    <message>
+        <source>move the part on its table, or %1 in the cell file</source>
+        <translation>déplacer la pièce sur sa table, ou %1 dans le fichier de cellule</translation>
+    </message>
+    <message>
+        <source>move the substrate with the part by %1 along %2 of the part frame, take another one, or correct %3 in the cell file</source>
+        <translation>déplacer le substrat avec la pièce de %1 selon %2 du repère pièce, en prendre un autre, ou corriger %3 dans le fichier de cellule</translation>
+    </message>
+    <message>
+        <source>move the substrate with the part, take another one, or correct %1 in the cell file</source>
+        <translation>déplacer le substrat avec la pièce, en prendre un autre, ou corriger %1 dans le fichier de cellule</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>col</translation>
+    </message>
+    <message>
+        <source>no plugin provides the component &apos;%1&apos;</source>
+        <translation>aucune extension ne fournit le composant « %1 »</translation>
+    </message>
+    <message>
+        <source>no post-processor that is installed writes for %1: check every joint value and frame before the program runs</source>
+        <translation>aucun post-processeur installé n&apos;écrit pour %1 : vérifier chaque valeur d&apos;axe et chaque repère avant d&apos;exécuter le programme</translation>
+    </message>
+    <message>
+        <source>nozzle</source>
+        <translation>buse</translation>
+    </message>
+    <message>
+        <source>pedestal</source>
+        <translation>socle</translation>
+    </message>
+    <message>
+        <source>platter</source>
+        <translation>plateau tournant</translation>
+    </message>
+    <message>
+        <source>raise tcp_acceleration if the robot can do more, smooth the path, allow more rounding of corners (corner_radius) or lower the travel speed; lower min_speed_ratio only where the process bears it</source>
+        <translation>augmenter tcp_acceleration si le robot peut davantage, lisser la trajectoire, permettre plus d&apos;arrondi aux coins (corner_radius) ou baisser la vitesse d&apos;avance ; ne baisser min_speed_ratio que si le procédé le supporte</translation>
+    </message>
+    <message>
+        <source>rename one of the operations; if the output sets program_name, leave it empty, so that each program bears the name of its operation</source>
+        <translation>renommer l&apos;une des opérations ; si la sortie fixe program_name, le laisser vide, pour que chaque programme porte le nom de son opération</translation>
+    </message>
+    <message>
+        <source>set &quot;branch&quot; to keep one configuration</source>
+        <translation>fixer « branch » pour garder une configuration</translation>
+    </message>
+    <message>
+        <source>set program_name to a name of this form</source>
+        <translation>donner à program_name un nom de cette forme</translation>
+    </message>
+    <message>
+        <source>shorten acceleration_time if the robot&apos;s axes are faster, smooth the path, allow more rounding of corners (corner_radius) or lower the travel speed; lower min_speed_ratio only where the process bears it</source>
+        <translation>raccourcir acceleration_time si les axes du robot sont plus rapides, lisser la trajectoire, permettre plus d&apos;arrondi aux coins (corner_radius) ou baisser la vitesse d&apos;avance ; ne baisser min_speed_ratio que si le procédé le supporte</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>épaule</translation>
+    </message>
+    <message>
+        <source>smooth the path (axis_rate bounds the turn of its build direction), raise vertical_tolerance or lower the travel speed; lower min_speed_ratio only where the process bears it</source>
+        <translation>lisser la trajectoire (axis_rate borne la rotation de sa direction de construction), augmenter vertical_tolerance ou baisser la vitesse d&apos;avance ; ne baisser min_speed_ratio que si le procédé le supporte</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>broche</translation>
+    </message>
+    <message>
+        <source>stand</source>
+        <translation>support</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>table</translation>
+    </message>
+    <message>
+        <source>the acceleration of the torch (tcp_acceleration)</source>
+        <translation>l&apos;accélération de la torche (tcp_acceleration)</translation>
+    </message>
+    <message>
+        <source>the configuration %1 is taken, which has no violation: %2, which comes first, has %3</source>
+        <translation>la configuration %1 est retenue, qui n&apos;a aucune violation : %2, qui vient en premier, en a %3</translation>
+    </message>
+    <message>
+        <source>the configuration %1 is taken, which has no violation: %2, which comes first, has 1</source>
+        <translation>la configuration %1 est retenue, qui n&apos;a aucune violation : %2, qui vient en premier, en a 1</translation>
+    </message>
+    <message>
+        <source>the operations &apos;%1&apos; and &apos;%2&apos; both get the program %3 of output &apos;%4&apos;</source>
+        <translation>les opérations « %1 » et « %2 » reçoivent toutes deux le programme %3 de la sortie « %4 »</translation>
+    </message>
+    <message>
+        <source>the substrate stands %1 deep inside %2, at (%3, %4, %5) of the part</source>
+        <translation>le substrat pénètre de %1 dans %2, en (%3 ; %4 ; %5) de la pièce</translation>
+    </message>
+    <message>
+        <source>the torch needs %1 s for %2 mm with the arc on, %3 mm/s or %4 % of the wanted speed, and %5 mm/s at the slowest point; nearest to its limit is the acceleration of the torch</source>
+        <translation>la torche met %1 s pour %2 mm avec l&apos;arc allumé, %3 mm/s soit %4 % de la vitesse voulue, et %5 mm/s au point le plus lent ; le plus près de sa limite est l&apos;accélération de la torche</translation>
+    </message>
+    <message>
+        <source>the torch&apos;s cable is twisted by up to %1 at %2; its limit is %3 to both sides</source>
+        <translation>le câble de la torche est tordu de %1 au plus sur %2 ; sa limite est de %3 des deux côtés</translation>
+    </message>
+    <message>
+        <source>tilt unit</source>
+        <translation>unité d&apos;inclinaison</translation>
+    </message>
+    <message>
+        <source>torch body</source>
+        <translation>corps de torche</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>bras</translation>
+    </message>
+    <message>
+        <source>use %1, which writes for %2</source>
+        <translation>utiliser %1, qui écrit pour %2</translation>
+    </message>
+    <message>
+        <source>wrist</source>
+        <translation>poignet</translation>
+    </message>
+    <message>
+        <source>wrist plate</source>
+        <translation>bride du poignet</translation>
+    </message>
+    <message>
+        <source>write speeds with more decimals (speed_decimals)</source>
+        <translation>écrire les vitesses avec plus de décimales (speed_decimals)</translation>
+    </message>
+    <message>
+        <source>Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one that reaches all points inside the limits, if it can with the shoulder to the front and the elbow up, and with the largest margin; where that one collides, breaks limits or twists the cable too far, the first one without violations.</source>
+        <translation>Poignet N ou F, coude en haut ou en bas, épaule vers l&apos;avant ou l&apos;arrière. Automatique en prend une qui atteint tous les points dans les limites, si possible l&apos;épaule vers l&apos;avant et le coude en haut, et avec la plus grande marge ; si celle-ci entre en collision, dépasse des limites ou tord trop le câble, la première sans violation.</translation>
     </message>
 </context>
 <context>
@@ -10578,6 +10762,10 @@
     <message>
         <source>Another program has changed %1. Read the file again and lose what you have not saved, or keep what is open here and replace the file when saving?</source>
         <translation>Un autre programme a modifié %1. Relire le fichier et perdre ce que vous n&apos;avez pas enregistré, ou garder ce qui est ouvert ici et remplacer le fichier à l&apos;enregistrement ?</translation>
+    </message>
+    <message>
+        <source>Another program has this project open (%1), with changes that are not saved (%2). It can be changed here, but only saved under another name.</source>
+        <translation>Un autre programme a ouvert ce projet (%1), avec des modifications non enregistrées (%2). Il peut être modifié ici, mais seulement enregistré sous un autre nom.</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,7 @@ TEST_F(EditVerb, AddsListsChangesMovesAndRemoves) {
   const ProcessResult added =
       edit({"add", project_, "planar", "pause", "--set", "time=0.5min", "--set", "first_layer=-1"});
   EXPECT_EQ(added.exitCode, 0) << added.err;
+  EXPECT_THAT(added.err, HasSubstr("Added edit pause of planar, saved "));
   EXPECT_EQ(edit({"add", project_, "planar", "set_speed", "--id", "slow", "--index", "0", "--set",
                   "factor=50%", "--set", "region=sphere", "--set", "centre=1cm, 0, 0", "--disable"})
                 .exitCode,

@@ -186,6 +186,72 @@ TEST_F(Posts, ANewProjectWritesForTheControllerOfItsCell) {
   }
 }
 
+TEST_F(Posts, RemediesDoNotRepeatWhatIsSetNorNamePostsThatDoNotExist) {
+  const ProcessResult slow = run({"fanuc.speed_decimals=0", "fanuc.speed_unit=cm_min"});
+  ASSERT_EQ(slow.exitCode, 0) << slow.err;
+  const Value report = parseJson(slow.out);
+  for (const Value& finding : findings(operationOf(report), "post.speed_rounded")) {
+    EXPECT_EQ(finding.at("remedy").asString().find("speed_unit"), std::string::npos);
+  }
+  fs::copy(exampleFolder("elbow"), folder_ / "other", fs::copy_options::recursive);
+  for (const auto& [cell, advice] :
+       {std::pair("yaskawa_ma1440_mt250", "no post-processor that is installed writes for Yaskawa"),
+        std::pair("kuka_kr16_positioner", "use wcam.post.kuka")}) {
+    const std::string file = "other/elbow.wcam";
+    Value project = parseJson(readFile(folder_ / file));
+    project.findMutable("cell")->set("path", std::string("wcam:cells/") + cell + ".json");
+    project.findMutable("cell")->set("sha256", "");
+    writeFileAtomically(folder_ / file, toCanonicalJson(project));
+    const ProcessResult result = camcli({"--project", file, "--operation", "planar", "--check",
+                                         "--json", "--set", "planar.motion.mode=constant"});
+    const Value own = parseJson(result.out);
+    const std::vector<Value> other = findings(operationOf(own), "post.other_controller");
+    ASSERT_FALSE(other.empty()) << cell << result.err;
+    EXPECT_THAT(other[0].at("remedy").asString(), HasSubstr(advice));
+  }
+}
+
+TEST_F(Posts, TwoOperationsWithOneProgramNameGetAHintThatCanBeFollowed) {
+  fs::copy(exampleFolder("hemisphere"), folder_ / "twins", fs::copy_options::recursive);
+  const std::string file = "twins/hemisphere.wcam";
+  Value project = parseJson(readFile(folder_ / file));
+  Value first = project.at("operations").asArray()[0];
+  first.set("id", "dome-1");
+  Value second = first;
+  second.set("id", "dome_1");
+  project.set("operations", Value(Value::Array{first, second}));
+  for (Value& output : project.findMutable("outputs")->mutableArray()) {
+    output.remove("operations");
+  }
+  writeFileAtomically(folder_ / file, toCanonicalJson(project));
+  const ProcessResult refused = camcli({"--project", file, "--check"});
+  EXPECT_EQ(refused.exitCode, 4) << refused.err;
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("dome-1"), HasSubstr("dome_1"), HasSubstr("rename")));
+  // The hint is followed.
+  second.set("id", "dome_2");
+  project.set("operations", Value(Value::Array{first, second}));
+  writeFileAtomically(folder_ / file, toCanonicalJson(project));
+  EXPECT_EQ(camcli({"--project", file, "--check"}).exitCode, 0);
+}
+
+TEST_F(Posts, TheReportTellsWhatIsKeptBackAndWhy) {
+  const ProcessResult kept =
+      camcli({"--project", (exampleFolder("elbow") / "elbow.wcam").string(), "--operation",
+              "planar", "--output", "kept", "--report", "kept.html", "--set",
+              "planar.motion.mode=constant", "--set", "planar.motion.cable_limit=1"});
+  EXPECT_EQ(kept.exitCode, 5) << kept.err;
+  const std::string page = readFile(folder_ / "kept.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("Kept back"), HasSubstr("motion.cable_twist"),
+                          HasSubstr("all outputs")));
+  const ProcessResult good = camcli({"--project", (exampleFolder("elbow") / "elbow.wcam").string(),
+                                     "--operation", "planar", "--output", "good", "--report",
+                                     "good.html", "--set", "planar.motion.mode=constant"});
+  EXPECT_EQ(good.exitCode, 0) << good.err;
+  const std::string fine = readFile(folder_ / "good.html");
+  EXPECT_EQ(fine.find("Kept back"), std::string::npos);
+  EXPECT_THAT(fine, HasSubstr(".LS"));
+}
+
 TEST_F(Posts, ExamplesWriteForTheRobotThatTheyUse) {
   for (const char* name : {"elbow", "hemisphere", "supportless", "branches"}) {
     const Value project = parseJson(readFile(exampleFolder(name) / (std::string(name) + ".wcam")));

@@ -146,6 +146,46 @@ TEST_F(Verbs, ApplyToAnotherFileKeepsTheFirst) {
   EXPECT_FALSE(fs::exists(folder_ / "finer.wcam"));
 }
 
+TEST_F(Verbs, ApplyToABareNameInTheFolderOfTheProject) {
+  ASSERT_EQ(camcli({"new", "plain.wcam", "--part", part_}).exitCode, 0);
+  const ProcessResult result =
+      camcli({"apply", "plain.wcam",
+              file("rename.jsonl", R"({"command": "project.rename", "args": {"name": "second"}})"
+                                   "\n"),
+              "--output", "copy.wcam"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(parseJson(readFile(folder_ / "copy.wcam")).at("name").asString(), "second");
+}
+
+TEST_F(Verbs, PartsThatTheRobotCarriesGetAPlateAsThickAsTheHolder) {
+  for (const auto& [cell, thickness] :
+       {std::pair("fanuc_arcmate120ic_part_carried", 5.0),
+        std::pair("kuka_kr16_part_carried", 10.0), std::pair("kuka_kr16", 10.0)}) {
+    const std::string project = std::string("plate_") + cell + ".wcam";
+    ASSERT_EQ(camcli({"new", project, "--part", part_, "--cell", cell}).exitCode, 0);
+    const Value plate = parseJson(readFile(folder_ / project)).at("substrates").asArray()[0];
+    EXPECT_EQ(plate.at("size_mm").asArray()[2].asReal(), thickness) << cell;
+  }
+}
+
+TEST_F(Verbs, WrongWordsGetHintsThatFit) {
+  file("-dash.stl", "solid x\nendsolid x\n");
+  const ProcessResult dash = camcli({"info", "-dash.stl"});
+  EXPECT_EQ(dash.exitCode, 1);
+  EXPECT_THAT(dash.err, AllOf(HasSubstr("no option '-dash.stl'"), HasSubstr("./-dash.stl")));
+  const ProcessResult schema = camcli({"schema", "nix"});
+  EXPECT_EQ(schema.exitCode, 7);
+  EXPECT_THAT(schema.err, AllOf(HasSubstr("'nix'"), Not(HasSubstr("post-processor"))));
+  for (const char* text : {R"({"format": "wcam-project", "step": 2,5})", R"({"a": NaN})",
+                           R"({"a": 1e400})", R"({"a": 1, "a": 2})"}) {
+    const ProcessResult json = camcli({"info", file("bad.wcam", text)});
+    EXPECT_EQ(json.exitCode, 3) << text;
+    EXPECT_THAT(json.err, Not(HasSubstr("must be UTF-8"))) << text;
+  }
+  EXPECT_THAT(camcli({"info", file("latin.wcam", "{\"a\": \"\xE9t\xE9\"}")}).err,
+              HasSubstr("UTF-8"));
+}
+
 TEST_F(Verbs, ApplyNamesTheBadLineAndLeavesTheProject) {
   const fs::path project = example("elbow");
   const std::string before = readFile(project);

@@ -147,7 +147,13 @@ TEST_F(French, ADecimalCommaIsTaken) {
     QTest::keyClick(line, Qt::Key_Return);
     EXPECT_EQ(utf8(window->form().errorAt(section, key)), "") << key;
   };
+  const auto shown = [this](const char* section, const char* key) {
+    window->form().setFocus();
+    auto* line = qobject_cast<QLineEdit*>(window->form().field(section, key));
+    return line != nullptr ? utf8(line->text()) : std::string();
+  };
   type("params", "step", "7,25 mm");
+  EXPECT_EQ(shown("params", "step"), "7,25");
   const project::Operation* operation = window->session().document().project().operation("planar");
   EXPECT_DOUBLE_EQ(operation->params.at("step").asReal(), 7.25);
   type("params", "step", "6.5");
@@ -161,7 +167,20 @@ TEST_F(French, ADecimalCommaIsTaken) {
     type("node", "placement_position_mm", text);
     const project::Part* part = window->session().document().project().part("elbow");
     EXPECT_EQ(part->placement.positionMm, (std::array<double, 3>{1.5, -2.0, 3.25})) << text;
+    EXPECT_EQ(shown("node", "placement_position_mm"), "1,5; -2; 3,25");
   }
+}
+
+TEST_F(French, FiguresAndShapesOfFindings) {
+  EXPECT_EQ(
+      utf8(engineText(text("the gap is %1 and %2", {std::string("6.02 mm"), std::string("-0.5")}))),
+      "the gap is 6,02 mm and -0,5");
+  // Names and versions are no figures.
+  EXPECT_EQ(utf8(engineText(text("%1 of %2", {std::string("part 2.stl"), std::string("1.2.3")}))),
+            "part 2.stl of 1.2.3");
+  EXPECT_EQ(utf8(figureText(1234.5, 2)), "1234,50");
+  EXPECT_EQ(utf8(engineText(text("robot %1", {text("forearm")}))).find("forearm"),
+            std::string::npos);
 }
 
 TEST_F(French, NamesOfStrategies) {

@@ -140,6 +140,29 @@ TEST_F(WindowFiles, AMissingPluginIsNamed) {
   EXPECT_GT(window.session().generated().operation("guide")->path->layerCount(), 0);
 }
 
+TEST_F(WindowFiles, AProjectWithoutANameTakesThatOfItsFirstFile) {
+  ASSERT_EQ(window.session().document().project().name, Session::kUntitled);
+  std::filesystem::create_directories(folder / "a");
+  std::filesystem::create_directories(folder / "b");
+  std::filesystem::copy(test::example("elbow").parent_path() / "elbow.step",
+                        folder / "a" / "elbow.step");
+  ASSERT_FALSE(window.session().apply(
+      {"part.add",
+       Value::object({{"id", "elbow"},
+                      {"file", Value::object({{"path", pathText(folder / "a" / "elbow.step")},
+                                              {"sha256", ""}})}})}));
+  ASSERT_TRUE(waitSettled(window));
+  // The first save brings the part along: nothing is wrong with its path.
+  for (const FindingRow& row : window.diagnostics().rows()) {
+    EXPECT_NE(row.code, "project.path_absolute");
+  }
+  ASSERT_TRUE(window.saveTo(folder / "b" / "bracket 2.wcam")) << utf8(window.noticeText());
+  EXPECT_EQ(window.session().document().project().name, "bracket 2");
+  // Later files change nothing.
+  ASSERT_TRUE(window.saveTo(folder / "b" / "other.wcam"));
+  EXPECT_EQ(window.session().document().project().name, "bracket 2");
+}
+
 TEST_F(WindowFiles, ASecondWindowOnTheSameFileIsWarnedAndDoesNotOverwrite) {
   const std::filesystem::path file = test::copyOf("elbow", folder.path());
   ASSERT_TRUE(window.openFile(file));

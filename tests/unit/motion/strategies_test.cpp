@@ -371,6 +371,7 @@ TEST(BadPaths, neitherCrashNorGiveNumbersThatAreNone) {
         EXPECT_EQ(told, planned.statistics.evaluation.count(Constraint::Reach) +
                                 planned.statistics.evaluation.count(Constraint::Limits) +
                                 planned.statistics.evaluation.count(Constraint::Tilt) +
+                                planned.statistics.evaluation.count(Constraint::Cable) +
                                 context.diagnostics().count("motion.too_slow") >
                             0)
             << what << ", " << redundancyKey(mode);

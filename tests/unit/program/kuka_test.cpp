@@ -249,6 +249,32 @@ TEST(Kuka, SplitsAndChainsLongOperations) {
   }
 }
 
+TEST(Kuka, PutsAsManyBeadsIntoAProgramAsFit) {
+  const auto program = wcam::testing::sampleProgram({.layers = 12, .pointsPerBead = 21});
+  const auto linesOf = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  // What the head and a bead take, from programs of few and of many beads.
+  const auto whole = linesOf(runPost("wcam.post.kuka", program, R"({"max_lines": 0})")[0].second);
+  const auto one = linesOf(runPost("wcam.post.kuka",
+                                   wcam::testing::sampleProgram({.layers = 1, .pointsPerBead = 21}),
+                                   R"({"max_lines": 0})")[0]
+                               .second);
+  const double bead = static_cast<double>(whole - one) / 11.0;
+  for (const int beads : {1, 2, 3, 5}) {
+    // Room for so many beads, with what a part repeats: two speeds.
+    const int limit =
+        static_cast<int>(std::ceil(static_cast<double>(one) + bead * (beads - 1))) + 4;
+    const Files files =
+        runPost("wcam.post.kuka", program, "{\"max_lines\": " + std::to_string(limit) + "}");
+    EXPECT_LE(files.size(), 1U + static_cast<std::size_t>(12 / beads) + 1U) << beads;
+    for (const auto& [name, text] : files) {
+      EXPECT_LE(linesOf(text), limit) << name;
+    }
+    EXPECT_TRUE(sameStructure(readKrl(files), plannedMoves(program), kAngleTolerance));
+  }
+}
+
 TEST(Kuka, ALongBeadIsWrittenAsPartsThatStartAlone) {
   auto program = wcam::testing::sampleProgram({.layers = 1, .pointsPerBead = 500});
   for (std::size_t i = 100; i < program.instructions.size(); i += 100) {

@@ -4,6 +4,7 @@
 #include "wcam/program/names.hpp"
 
 #include "wcam/base/error.hpp"
+#include "wcam/program/ascii.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,12 @@ TEST(ControllerName, KeepsWhatAControllerAccepts) {
   EXPECT_EQ(controllerName("elbow-upper.2", 36), "ELBOW_UPPER_2");
   EXPECT_EQ(controllerName("3rd part", 36), "P3RD_PART");
   EXPECT_EQ(controllerName("__ok__", 36), "OK");
-  EXPECT_EQ(controllerName("Größe", 36), "GR__E");
+  EXPECT_EQ(controllerName("Größe", 36), "GROSSE");
+  EXPECT_EQ(controllerName("Œuvre d'été", 36), "OEUVRE_D_ETE");
+  EXPECT_EQ(controllerName("Änneau", 36), "ANNEAU");
+  EXPECT_EQ(controllerName("e\xCC\x81l\xC3\xA9ment", 36), "ELEMENT");  // e and a mark, then é
+  EXPECT_EQ(controllerName("Łódź", 36), "LODZ");
+  EXPECT_EQ(controllerName("Σ ring", 36), "RING");
   EXPECT_EQ(controllerName("", 36), "PROGRAM");
   EXPECT_EQ(controllerName("---", 36, "MAIN"), "MAIN");
   EXPECT_EQ(controllerName("日本", 8), "PROGRAM");
@@ -68,11 +74,44 @@ TEST(PartNames, AvoidWordsOfTheLanguageAndDevices) {
   EXPECT_EQ(partNames("come", 0, rules).front(), "COME");
 }
 
+TEST(Ascii, EveryLatinLetterHasASpellingThatIsOne) {
+  // Letters of Unicode's Latin blocks in capitals and small ones stay what they are.
+  for (const auto& [given, ascii] :
+       std::vector<std::pair<std::string, std::string>>{{"ÀÁÂÃÄÅ", "AAAAAA"},
+                                                        {"àáâãäå", "aaaaaa"},
+                                                        {"ÇÈÉÊËÌÍÎÏÑ", "CEEEEIIIIN"},
+                                                        {"ŠšŽžÝÿ", "SsZzYy"},
+                                                        {"ÆæØøÅåÞþÐð", "AEaeOoAaTHthDd"},
+                                                        {"ąęłńśźżő", "aelnszzo"},
+                                                        {"ệ Ữ ẞ", "e U SS"},
+                                                        {"Русский", "???????"},
+                                                        {"a\xFF"
+                                                         "b",
+                                                         "a?b"},
+                                                        {"\xE2\x82", "?"}}) {
+    EXPECT_EQ(toAscii(given, '?'), ascii) << given;
+  }
+}
+
+TEST(ControllerName, KeepsWhatIsExpectedWithoutAWord) {
+  for (const auto& [wanted, keeps] :
+       std::vector<std::pair<std::string, bool>>{{"ring", true},
+                                                 {"upper ring-2.b", true},
+                                                 {"été", false},
+                                                 {"1ring", false},
+                                                 {"P[1]", false},
+                                                 {"Σ", false},
+                                                 {"a_name_that_is_too_long_for_it", false}}) {
+    EXPECT_EQ(keepsName(wanted, controllerName(wanted, 24)), keeps) << wanted;
+  }
+}
+
 TEST(WrapComment, CutsAtBlanksWherePossible) {
   EXPECT_EQ(wrapComment("one two three", 8), (std::vector<std::string>{"one two", "three"}));
   EXPECT_EQ(wrapComment("abcdefghij", 4), (std::vector<std::string>{"abcd", "efgh", "ij"}));
   EXPECT_EQ(wrapComment("", 4), (std::vector<std::string>{""}));
-  EXPECT_EQ(wrapComment("été\tx\n", 32), (std::vector<std::string>{"?t? x"}));
+  EXPECT_EQ(wrapComment("été\tx\n", 32), (std::vector<std::string>{"ete x"}));
+  EXPECT_EQ(asciiComment("Straße – 5 °, 日本 µ"), "Strasse - 5 deg, ?? u");
   for (const std::string& piece :
        wrapComment("the quick brown fox jumps over the lazy dog again and again", 32)) {
     EXPECT_LE(piece.size(), 32U);

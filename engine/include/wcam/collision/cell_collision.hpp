@@ -39,11 +39,31 @@ struct Contact {
   Text second;  ///< … "part", "substrate", "positioner table", "obstacle floor"
   BodyKind firstKind = BodyKind::Torch;
   BodyKind secondKind = BodyKind::Part;
-  double distance = 0.0;                          ///< mm; negative: how deep
+  /// mm; negative: the least translation that parts them, of meshes how deep one reaches into the
+  /// other.
+  double distance = 0.0;
   geometry::Vec3 point = geometry::Vec3::Zero();  ///< where, part frame
   /// With the part: the rod of the deposit (index of CellCollision::deposit()); else −1.
   std::ptrdiff_t rod = -1;
 };
+
+/// The substrate or beads that stand inside a shape of the cell.
+struct StandingContact {
+  Text first;   ///< "substrate", "part"
+  Text second;  ///< "positioner table", "obstacle clamp", …
+  BodyKind firstKind = BodyKind::Substrate;
+  double depth = 0.0;                             ///< mm: the least translation that parts them
+  geometry::Vec3 point = geometry::Vec3::Zero();  ///< where, part frame
+  /// Unit vector in the part frame along which the substrate leaves by the depth; zero where that
+  /// is not known (meshes, beads).
+  geometry::Vec3 way = geometry::Vec3::Zero();
+  std::size_t beadPoint = 0;  ///< of beads: the number of the deepest point, over the whole path
+  std::size_t points = 0;     ///< of beads: how many points
+};
+
+/// Deeper than this is no contact of things that stand on one another, mm: what tables, plates and
+/// the poses of cells are measured to.
+inline constexpr double kStandingContact = 0.5;
 
 /// A shape where it is at some joints.
 struct PlacedShape {
@@ -97,6 +117,15 @@ public:
   [[nodiscard]] std::vector<Contact> contacts(const CellState& state, double within) const;
 
   [[nodiscard]] std::vector<Contact> torchContacts(const ToolState& state, double within) const;
+
+  /// What evaluate() does not compare since nothing, or one joint alone, moves it: the substrate
+  /// and the beads (with the section that they have, by the path) with every shape that carries
+  /// them or stands beside them, at the positions that the states reach. Only what is deeper than
+  /// kStandingContact, of beads only what reaches their core; the deepest place of each pair.
+  /// @param path that the model was made of
+  [[nodiscard]] std::vector<StandingContact> standingContacts(const toolpath::Toolpath& path,
+                                                              std::span<const CellState> states,
+                                                              const JobContext& context) const;
 
   /// Every shape of the scene where it is, for displays and checks.
   [[nodiscard]] std::vector<PlacedShape> placedShapes(const cell::JointVector& joints) const;

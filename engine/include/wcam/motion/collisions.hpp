@@ -43,6 +43,17 @@ CollisionStatistics checkCollisions(const Motion& motion,
                                     const std::string& operationId,
                                     const JobContext& context);
 
+/// What stands inside something else and no motion changes it, at the positions that the motion
+/// reaches: substrate and beads with what carries them and what is fixed beside them.
+/// motion.standing_collision, a violation for each pair.
+/// @param statistics its least distance becomes negative
+void checkStanding(const Motion& motion,
+                   const toolpath::Toolpath& path,
+                   const collision::CellCollision& collision,
+                   const std::string& operationId,
+                   CollisionStatistics& statistics,
+                   const JobContext& context);
+
 /// Tilt of the torch about its TCP, rad: about the direction of travel, and before that about the
 /// direction across (build direction × travel).
 struct Tilt {
@@ -87,7 +98,9 @@ struct CheckedMotion {
 
 /// planMotion with everything around it: collision model, exit rotations where they are wanted (and
 /// the motion planned again, until nothing changes or kExitPasses), checks, and findings whose
-/// remedies are tried out (explain.hpp).
+/// remedies are tried out (explain.hpp). Where the branch is automatic and the one that it takes
+/// breaks limits of joints or cable or collides, the first one without any violation is taken
+/// instead, if there is one: motion.configuration_chosen tells it.
 /// @param substrate may be null
 CheckedMotion planCheckedMotion(const toolpath::Toolpath& path,
                                 const cell::Cell& cell,

@@ -10,12 +10,13 @@
 namespace wcam::motion {
 
 /// Findings with remedies that have been tried: for every motion.unreachable, motion.joint_limit,
-/// motion.singularity, motion.collision and motion.near_collision of a bead, changes are made to
-/// the worst point of the bead, the smallest first, and those that put it right are tried at points
-/// spread over the bead. In this order: another rotation about the torch; another configuration of
-/// the arm; the positioner's other solution; a lead or lateral tilt within the tolerances; the part
-/// moved or turned on its table; the positioner moved in the base; the cell's other configuration
-/// (part carried instead of torch carried, or the other way round; Cell::other).
+/// motion.cable_twist, motion.singularity, motion.collision and motion.near_collision of a bead,
+/// changes are made to the worst point of the bead, the smallest first, and those that put it right
+/// are tried at points spread over the bead. In this order: another rotation about the torch;
+/// another configuration of the arm; the positioner's other solution; a lead or lateral tilt within
+/// the tolerances; the part moved or turned on its table; the positioner moved in the base; the
+/// cell's other configuration (part carried instead of torch carried, or the other way round;
+/// Cell::other).
 ///
 /// "Right" means reachable, inside the limits, outside the singularity margins of `params`, and
 /// free by the model (when there is one). The remedy is a hint: it tells the change with its figure

@@ -67,7 +67,7 @@ struct Evaluation {
   }
 
   /// Waypoints that make a motion unfit: out of reach, limits, collision, a torch that leans
-  /// further than the process allows.
+  /// further than the process allows, a cable twisted beyond its limit.
   [[nodiscard]] std::size_t violations() const;
   /// Waypoints that break any constraint (a waypoint counts once per constraint).
   [[nodiscard]] std::size_t allBroken() const;

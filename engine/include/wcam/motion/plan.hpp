@@ -111,9 +111,10 @@ ObjectiveValues ownObjective(RedundancyMode mode);
 /// with the weights of the parameters than that of any other mode. Where no motion keeps all
 /// constraints the least bad one is given, and the findings tell what is broken.
 ///
-/// Findings: motion.unreachable, motion.joint_limit, motion.tilt, motion.too_slow (violations),
+/// Findings: motion.unreachable, motion.joint_limit, motion.cable_twist, motion.tilt,
+/// motion.too_slow (violations),
 /// motion.singularity, motion.joint_step, motion.speed_limited, motion.low_dexterity,
-/// motion.not_vertical, motion.cable_twist (warnings), motion.configuration_change (information:
+/// motion.not_vertical (warnings), motion.configuration_change (information:
 /// full turns taken back between beads). One per bead and cause, with the worst value and number of
 /// points.
 ///

@@ -11,8 +11,9 @@
 namespace wcam::program {
 
 /// A name that a robot controller accepts: letters, digits and '_', beginning with a letter, upper
-/// case, at most `maxLength` characters (at least 6). Foreign characters become '_'. A longer name
-/// ends in '_' and three characters of its hash, so that names that begin alike stay different.
+/// case, at most `maxLength` characters (at least 6). Latin letters lose their marks (toAscii),
+/// other foreign characters become '_'. A longer name ends in
+/// '_' and three characters of its hash, so that names that begin alike stay different.
 /// @param fallback used when nothing of the text is left
 std::string controllerName(std::string_view text,
                            std::size_t maxLength,
@@ -37,7 +38,12 @@ std::vector<std::string> partNames(std::string_view text,
                                    std::size_t parts,
                                    const NameRules& rules);
 
-/// ASCII text for comments: other characters become '?', control characters blanks.
+/// True where a name differs from the wanted one by capitals alone, and by '_' for blanks, hyphens
+/// and points: what everybody expects.
+bool keepsName(std::string_view text, std::string_view name);
+
+/// ASCII text for comments (toAscii): characters without a spelling become '?', control characters
+/// blanks.
 std::string asciiComment(std::string_view text);
 /// Cut into pieces of at most `width` characters, at blanks where possible.
 std::vector<std::string> wrapComment(std::string_view text, std::size_t width);

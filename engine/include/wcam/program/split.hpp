@@ -25,6 +25,10 @@ struct SplitLimits {
   /// Lines that an instruction needs at most; empty: one.
   std::function<int(const Action&)> linesOf = {};
   int headLines = 0;  ///< lines of every program beside those of its instructions
+  /// Lines of each of some instructions that follow one another in one program, where that is less
+  /// than linesOf tells of them alone (modal values); empty: linesOf. What a part that begins among
+  /// them writes again counts as lines of the head.
+  std::function<std::vector<int>(std::span<const Instruction>)> linesInOrder = {};
 };
 
 /// A part of a program that can be started alone: `lead`, the instructions from `begin` to `end`,
@@ -84,7 +88,7 @@ struct NamedParts {
 
 /// Cuts and names a program as splitProgram and partNames do. Findings: post.bead_interrupted (a
 /// warning), post.cut_with_arc_on (a violation: such a part cannot be started alone) and
-/// post.name_changed (the wanted name is a word of the language).
+/// post.name_changed (the wanted name is a word of the language, or loses or changes characters).
 /// @param name wanted for the main program; blank takes that of the program
 /// @throws Error(InvalidArgument) as splitProgram and partNames
 NamedParts splitNamed(const Program& program,

@@ -15,4 +15,11 @@ namespace wcam::project {
 /// @param cell the cell file; empty for none
 Value newOutputs(const plugin::PluginHost& plugins, const std::filesystem::path& cell);
 
+/// The cell of a new project that names none, without folder and ending.
+inline constexpr const char* kDefaultCell = "fanuc_arcmate120ic";
+
+/// The plate of a new project: of 10 mm; where the robot carries the part, as thick as the holder
+/// on the flange whose place it takes.
+Value newPlate(const std::filesystem::path& cell);
+
 }  // namespace wcam::project
