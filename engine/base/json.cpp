@@ -55,6 +55,9 @@ private:
   const char** reached_;
 };
 
+/// Keys of an object are looked up one by one: no file of ours has more than some hundred in one.
+constexpr std::size_t kMostKeys = 10000;
+
 /// Builds a Value from the parser's events; no recursion, so that deep nesting cannot exhaust the
 /// stack.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
@@ -103,6 +106,9 @@ public:
   bool key(string_t& v) override {
     if (!stack_.back().keys.insert(v).second) {
       fail(text("the key '%1' stands twice in one object", {v}));
+    }
+    if (stack_.back().keys.size() > kMostKeys) {
+      fail(text("an object has more than %1 keys", {std::to_string(kMostKeys)}));
     }
     stack_.back().key = std::move(v);
     return true;

@@ -3,6 +3,7 @@
 
 #include "file_schema.hpp"
 
+#include "wcam/base/json.hpp"
 #include "wcam/base/plausible.hpp"
 #include "wcam/base/text.hpp"
 #include "wcam/toolpath/edits.hpp"
@@ -139,6 +140,7 @@ void checkList(const Value& value,
   if (!expectType(value, value.isArray(), "a list", path, problems)) {
     return;
   }
+  std::set<std::string> seen;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const Value& item = value.asArray()[i];
     const std::string place = path + "[" + std::to_string(i) + "]";
@@ -147,11 +149,8 @@ void checkList(const Value& value,
     } else {
       checkIndex(item, place, problems);
     }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (value.asArray()[j] == item) {
-        add(problems, place, "stands twice in the list");
-        break;
-      }
+    if (!seen.insert(toCompactJson(item)).second) {
+      add(problems, place, "stands twice in the list");
     }
   }
 }

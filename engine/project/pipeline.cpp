@@ -493,7 +493,7 @@ OperationResult Pipeline::computeStages(const Operation& operation,
     collect(result.findings,
             compareWithBead(*result.parts[i], operation.parts[i], input.bead.width), operation.id);
   }
-  const auto strategy = plugins_->findSlicing(operation.strategy);
+  const auto strategy = findStrategy(operation.strategy);
   const Value sliceParams = strategy->info.params.complete(operation.params, "params");
   sliceKey.text(substrate.key)
       .text(strategy->info.id)
@@ -665,7 +665,7 @@ void Pipeline::addRemedies(const Operation& operation,
 std::vector<plugin::OutputFile> Pipeline::post(const Output& output,
                                                const OperationResult& result,
                                                const JobContext& context) const {
-  const auto post = plugins_->findPost(output.post);
+  const auto post = findPost(output.post);
   try {
     const Value params = post->info.params.complete(output.params, "params");
     checkController(post->info, *result.program, *plugins_, context);

@@ -114,5 +114,26 @@ TEST_F(Limits, TheBudgetIsSettableAndRefusesWithItsFigure) {
   EXPECT_THAT(wrong.err, HasSubstr("memory_mb"));
 }
 
+// Each of them took minutes, and heard no signal meanwhile.
+TEST_F(Limits, HugeListsAndObjectsAreReadAtOnce) {
+  constexpr int kMany = 200000;
+  const fs::path faces = with("planar-constant", [](Value& tree) {
+    Value::Array indices;
+    for (int i = 0; i < kMany; ++i) {
+      indices.emplace_back(i % (kMany - 1));
+    }
+    first(tree, "parts").set("faces", Value(std::move(indices)));
+  });
+  EXPECT_THAT(refusedRun(faces, 3), HasSubstr("faces[199999]: stands twice in the list"));
+  const fs::path keys = with("planar-constant", [](Value& tree) {
+    Value::Object members;
+    for (int i = 0; i < kMany; ++i) {
+      members.emplace_back("key" + std::to_string(i), Value(i));
+    }
+    first(tree, "operations").set("params", Value(std::move(members)));
+  });
+  EXPECT_THAT(refusedRun(keys, 3), HasSubstr("more than 10000 keys"));
+}
+
 }  // namespace
 }  // namespace wcam::testing

@@ -62,6 +62,33 @@ TEST_F(Plugins, MissingOneIsNamed) {
   EXPECT_THAT(refusedRun(project2, 7), HasSubstr("'com.acme.post'"));
 }
 
+TEST_F(Plugins, VersionsThatTheProjectNamesAreChecked) {
+  const auto naming = [&](const std::string& id, const std::string& version) {
+    const fs::path project = example("elbow", "naming");
+    Value tree = parseJson(readFile(project));
+    tree.set("plugins", Value(Value::Array{Value::object({{"id", id}, {"version", version}})}));
+    writeFileAtomically(project, toCanonicalJson(tree));
+    return project;
+  };
+  // One that is too old stops what needs it, and nothing else.
+  const fs::path later = naming("org.wcam.slicing.guide", "99.1.0");
+  const ProcessResult partly = camcli({"--project", later, "--output", "partly"});
+  EXPECT_EQ(partly.exitCode, 7);
+  EXPECT_THAT(partly.err,
+              AllOf(HasSubstr("operation 'guide': the project needs version 99.1.0 of the plugin "
+                              "org.wcam.slicing.guide; version "),
+                    HasSubstr("install version 99.1.0 or a later one")));
+  EXPECT_TRUE(fs::exists(folder_ / "partly/fanuc/PLANAR.LS"));
+  EXPECT_FALSE(fs::exists(folder_ / "partly/fanuc/GUIDE.LS"));
+  const ProcessResult earlier =
+      camcli({"--project", naming("org.wcam.slicing.guide", "0.0.1"), "--check"});
+  EXPECT_EQ(earlier.exitCode, 0) << earlier.err;
+  EXPECT_THAT(earlier.out + earlier.err, HasSubstr("project.plugin_newer"));
+  const ProcessResult foreign = camcli({"--project", naming("com.acme.other", "1.0.0"), "--check"});
+  EXPECT_EQ(foreign.exitCode, 0) << foreign.err;
+  EXPECT_THAT(foreign.out + foreign.err, HasSubstr("project.plugin_missing"));
+}
+
 TEST_F(Plugins, RefusedOnesThatAreNamedEndTheRun) {
   for (const char* name : {"wrong_abi", "newer_abi", "wrong_fingerprint", "no_entry"}) {
     const std::string id = "probe." + std::string(name);

@@ -116,6 +116,10 @@ public:
 
 private:
   class MissingComponents;
+  /// @throws Error(PluginMissing / PluginRefused), also where the project asks for a later version
+  [[nodiscard]] std::shared_ptr<const plugin::SlicingComponent> findStrategy(
+      const std::string& id) const;
+  [[nodiscard]] std::shared_ptr<const plugin::PostComponent> findPost(const std::string& id) const;
   [[nodiscard]] std::vector<ParamProblem> problems(MissingComponents& strategies,
                                                    MissingComponents& posts) const;
   template <class T>
