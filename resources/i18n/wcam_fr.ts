@@ -2873,10 +2873,6 @@
         <translation>Hauteur moyenne qu’un tour ajoute.</translation>
     </message>
     <message>
-        <source>Measured on the surface; 0.667 leaves a level surface (Ding 2015).</source>
-        <translation>Mesuré sur la surface ; 0.667 laisse une surface plane (Ding 2015).</translation>
-    </message>
-    <message>
         <source>Move %1 %2</source>
         <translation>Déplacer %1 %2</translation>
     </message>
@@ -3291,10 +3287,6 @@
     <message>
         <source>What is higher than a direct link must be this far beside it.</source>
         <translation>Ce qui est plus haut qu’une liaison directe doit être à cette distance à côté d’elle.</translation>
-    </message>
-    <message>
-        <source>What lies on the border: the bead&apos;s side or its centre.</source>
-        <translation>Ce qui est sur le bord : le côté du cordon ou son centre.</translation>
     </message>
     <message>
         <source>What slices a piece instead of the common field: 1=spiral, 3=isovalues; *=spiral for all others. Methods: common, geodesic (distance from the lower end of the piece), isovalues, spiral (one bead; its heights stay inside the process&apos;s range). Pieces count from 0, the lowest first, as the finding slicing.branches lists them.</source>
@@ -8431,10 +8423,6 @@
         <translation>%1 points qui devraient reposer sur la plaque se trouvent à côté, jusqu’à %2 mm</translation>
     </message>
     <message>
-        <source>Beads side by side need less material than single ones. Where even the maximum travel speed deposits too much, the wire feed of the whole operation is lowered, but not below this value. Set it to the wire feed speed to keep the feed as it is.</source>
-        <translation>Des cordons côte à côte demandent moins de matière que des cordons isolés. Si même la vitesse d’avance maximale en dépose trop, la vitesse de fil de toute l’opération est réduite, sans descendre sous cette valeur. Donnez-lui la vitesse de fil pour ne rien changer.</translation>
-    </message>
-    <message>
         <source>How far the tool axis may lean from the toolpath&apos;s. The mode planar_vertical leans it until it is vertical; more than this is a violation.</source>
         <translation>Inclinaison maximale de l’axe de l’outil par rapport à celui de la trajectoire. Le mode planar_vertical l’incline jusqu’à la verticale ; au-delà de cette valeur, c’est une non-conformité.</translation>
     </message>
@@ -9325,6 +9313,46 @@
     <message>
         <source>Wrist N or F, elbow up or down, shoulder to the front or back. Automatic takes one that reaches all points inside the limits, if it can with the shoulder to the front and the elbow up, and with the largest margin; where that one collides, breaks limits or twists the cable too far, the first one without violations.</source>
         <translation>Poignet N ou F, coude en haut ou en bas, épaule vers l&apos;avant ou l&apos;arrière. Automatique en prend une qui atteint tous les points dans les limites, si possible l&apos;épaule vers l&apos;avant et le coude en haut, et avec la plus grande marge ; si celle-ci entre en collision, dépasse des limites ou tord trop le câble, la première sans violation.</translation>
+    </message>
+    <message>
+        <source>%1 more findings of the kind %2 are not listed</source>
+        <translation>%1 autres constats de type %2 ne sont pas listés</translation>
+    </message>
+    <message>
+        <source>add {&quot;id&quot;: &quot;%1&quot;, &quot;version&quot;: &quot;%2&quot;} to &quot;plugins&quot;, so that others learn what they need</source>
+        <translation>ajouter {&quot;id&quot;: &quot;%1&quot;, &quot;version&quot;: &quot;%2&quot;} à &quot;plugins&quot;, pour que d&apos;autres sachent ce qu&apos;il leur faut</translation>
+    </message>
+    <message>
+        <source>an object has more than %1 keys</source>
+        <translation>un objet a plus de %1 clés</translation>
+    </message>
+    <message>
+        <source>check the result, then write version %1 into &quot;plugins&quot;</source>
+        <translation>vérifier le résultat, puis écrire la version %1 dans &quot;plugins&quot;</translation>
+    </message>
+    <message>
+        <source>install it, or take it out of &quot;plugins&quot;; `camcli plugins list` shows what is there</source>
+        <translation>l&apos;installer, ou le retirer de &quot;plugins&quot; ; `camcli plugins list` montre ce qui est présent</translation>
+    </message>
+    <message>
+        <source>install version %1 or a later one</source>
+        <translation>installer la version %1 ou une plus récente</translation>
+    </message>
+    <message>
+        <source>the project names the plugin %1, which is not installed</source>
+        <translation>le projet nomme le module %1, qui n&apos;est pas installé</translation>
+    </message>
+    <message>
+        <source>the project needs version %2 of the plugin %1; version %3 is installed</source>
+        <translation>le projet demande la version %2 du module %1 ; la version %3 est installée</translation>
+    </message>
+    <message>
+        <source>the project uses the plugin %1 without naming it</source>
+        <translation>le projet utilise le module %1 sans le nommer</translation>
+    </message>
+    <message>
+        <source>the project was made with version %2 of the plugin %1; version %3 is installed</source>
+        <translation>le projet a été fait avec la version %2 du module %1 ; la version %3 est installée</translation>
     </message>
 </context>
 <context>

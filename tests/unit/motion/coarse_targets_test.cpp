@@ -81,7 +81,7 @@ TEST(CoarseTargets, KeepEndsTravelAndBends) {
 TEST(CoarseTargets, ChoicesBetweenFollowSmoothOnes) {
   for (const char* name : {"fanuc_arcmate120ic", "fanuc_arcmate120ic_part_carried"}) {
     const cell::Cell cell = shippedCell(name);
-    test::RandomSource random(20261201);
+    testing::RandomSource random(20261201);
     for (int run = 0; run < 5; ++run) {
       const MotionParams params;
       const Task task = taskOf(
