@@ -24,6 +24,9 @@ namespace {
 /// Longest name that common file systems take, bytes.
 constexpr std::size_t kMaxFileName = 255;
 
+/// Ids of the components that come with WCAM begin so.
+constexpr std::string_view kOwnComponents = "wcam.";
+
 class Guard {
 public:
   Guard(const std::string& plugin, const std::string& component)
@@ -35,12 +38,13 @@ public:
     throw Error(ErrorCode::JobFailed, message, place_, hint);
   }
 
-  /// What a component refuses in its own words needs no other name than the component's. A place or
-  /// a setting that cannot work is a check of the result, anything else a failed job.
+  /// What a component refuses in its own words. A place or a setting that cannot work is a check of
+  /// the result, anything else a failed job. WCAM's own components say their name; those of others
+  /// may not, and who made them matters.
   [[nodiscard]] Error own(const Error& error) const {
+    const bool saysName = component_.starts_with(kOwnComponents) && !error.context().empty();
     return {error.code() == ErrorCode::CheckFailed ? ErrorCode::CheckFailed : ErrorCode::JobFailed,
-            error.whatText(), error.context().empty() ? Text(component_) : Text(),
-            error.hintText()};
+            error.whatText(), saysName ? Text() : place_, error.hintText()};
   }
 
   /// Runs a call into the plugin. A cancel passes only when it was asked for.

@@ -57,16 +57,30 @@ bool isMark(std::uint32_t code) {
   return code >= 0x300 && code <= 0x36F;
 }
 
-/// The character at a place, which moves behind it. A byte that begins none counts as one itself.
+/// Stands for bytes that are no character.
+constexpr std::uint32_t kReplacement = 0xFFFD;
+
+/// The character at a place, which moves behind it. What is no UTF-8 counts as one unknown
+/// character: a line break that is written in two bytes must not reach a program.
 std::uint32_t next(std::string_view text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::uint32_t first = byte(at++);
-  const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : 0;
-  std::uint32_t code = more == 0 ? first : first & (0x3FU >> static_cast<unsigned>(more));
-  for (int k = 0; k < more && at < text.size() && (byte(at) & 0xC0U) == 0x80U; ++k) {
+  if (first < 0x80) {
+    return first;
+  }
+  const int more = first >= 0xF8   ? 0
+                   : first >= 0xF0 ? 3
+                   : first >= 0xE0 ? 2
+                   : first >= 0xC0 ? 1
+                                   : 0;
+  std::uint32_t code = first & (0x3FU >> static_cast<unsigned>(more));
+  int taken = 0;
+  for (; taken < more && at < text.size() && (byte(at) & 0xC0U) == 0x80U; ++taken) {
     code = (code << 6U) | (byte(at++) & 0x3FU);
   }
-  return code;
+  constexpr std::array<std::uint32_t, 4> kSmallest = {0, 0x80, 0x800, 0x10000};
+  const bool whole = more > 0 && taken == more;
+  return whole && code >= kSmallest[static_cast<std::size_t>(more)] ? code : kReplacement;
 }
 
 char letterOf(std::uint32_t code) {

@@ -147,7 +147,7 @@ public:
                   "lower the part by that much, or select an open working surface (faces) of it");
     }
     if (!any) {
-      throw Error(ErrorCode::JobFailed, "the whole part lies below the substrate", kPlace,
+      throw Error(ErrorCode::CheckFailed, "the whole part lies below the substrate", kPlace,
                   "raise the part or lower the substrate");
     }
     for (const std::size_t k : floating_) {

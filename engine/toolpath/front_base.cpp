@@ -202,7 +202,7 @@ FrontBase findFrontBase(const SurfacePatch& patch,
     most = std::max(most, heights[v]);
   }
   if (!(most > tolerance)) {
-    throw Error(ErrorCode::JobFailed, "the whole part lies below the substrate", "slicing",
+    throw Error(ErrorCode::CheckFailed, "the whole part lies below the substrate", "slicing",
                 "raise the part or lower the substrate");
   }
   if (least < -tolerance) {

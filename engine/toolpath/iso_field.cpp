@@ -311,7 +311,7 @@ geometry::PartSurface openWall(const geometry::PartSurface& part, const Substrat
     any = any || keep[t];
   }
   if (!any) {
-    throw Error(ErrorCode::JobFailed, "the whole part lies in or below the substrate", kPlace,
+    throw Error(ErrorCode::CheckFailed, "the whole part lies in or below the substrate", kPlace,
                 "move the part or the substrate");
   }
   return all ? cut.surface : geometry::keepTriangles(cut.surface, keep).surface;

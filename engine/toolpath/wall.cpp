@@ -34,7 +34,8 @@ geometry::PartSurface aboveSubstrate(geometry::PartSurface part, const Substrate
   }
   const auto [low, high] = std::minmax_element(height.begin(), height.end());
   if (height.empty() || *high <= 0.0) {
-    refuse("the whole part lies below the substrate", "raise the part or lower the substrate");
+    throw Error(ErrorCode::CheckFailed, "the whole part lies below the substrate", "wall",
+                "raise the part or lower the substrate");
   }
   if (*low >= -kSubstrateContact) {
     return part;

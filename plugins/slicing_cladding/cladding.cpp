@@ -453,7 +453,7 @@ private:
       sliced.layers.push_back(std::move(layer));
     }
     if (sliced.layers.empty()) {
-      throw Error(ErrorCode::JobFailed, "all beads lie below the substrate", "cladding",
+      throw Error(ErrorCode::CheckFailed, "all beads lie below the substrate", "cladding",
                   "raise the part above the substrate");
     }
     return sliced;

@@ -370,8 +370,13 @@ void tellRange(Attempt& attempt,
       continue;
     }
     finding.remedy = remedyOf(proven, outside);
-    const auto settings = offered ? settingsOf(proven->range) : std::vector<ParamSetting>();
+    auto settings = offered ? settingsOf(proven->range) : std::vector<ParamSetting>();
     if (finding.code == "slicing.spiral_infeasible" && params.infeasible == Infeasible::Refuse) {
+      // Without it there is no path at all; what it costs is a finding of that path.
+      if (proven) {
+        finding.remedy = remedyOf(proven, proven->outside);
+        settings = settingsOf(proven->range);
+      }
       throw RemediedError(
           Error(ErrorCode::JobFailed, finding.message, "continuous spiral", finding.remedy),
           settings);

@@ -9340,19 +9340,19 @@
     </message>
     <message>
         <source>the project names the plugin %1, which is not installed</source>
-        <translation>le projet nomme le module %1, qui n&apos;est pas installé</translation>
+        <translation>le projet nomme le plugin %1, qui n&apos;est pas installé</translation>
     </message>
     <message>
         <source>the project needs version %2 of the plugin %1; version %3 is installed</source>
-        <translation>le projet demande la version %2 du module %1 ; la version %3 est installée</translation>
+        <translation>le projet demande la version %2 du plugin %1 ; la version %3 est installée</translation>
     </message>
     <message>
         <source>the project uses the plugin %1 without naming it</source>
-        <translation>le projet utilise le module %1 sans le nommer</translation>
+        <translation>le projet utilise le plugin %1 sans le nommer</translation>
     </message>
     <message>
         <source>the project was made with version %2 of the plugin %1; version %3 is installed</source>
-        <translation>le projet a été fait avec la version %2 du module %1 ; la version %3 est installée</translation>
+        <translation>le projet a été fait avec la version %2 du plugin %1 ; la version %3 est installée</translation>
     </message>
 </context>
 <context>

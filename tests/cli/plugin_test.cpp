@@ -64,7 +64,7 @@ TEST_F(Plugins, MissingOneIsNamed) {
 
 TEST_F(Plugins, VersionsThatTheProjectNamesAreChecked) {
   const auto naming = [&](const std::string& id, const std::string& version) {
-    const fs::path project = example("elbow", "naming");
+    const fs::path project = example("elbow", id + version);
     Value tree = parseJson(readFile(project));
     tree.set("plugins", Value(Value::Array{Value::object({{"id", id}, {"version", version}})}));
     writeFileAtomically(project, toCanonicalJson(tree));

@@ -190,7 +190,9 @@ TEST_F(Posts, RemediesDoNotRepeatWhatIsSetNorNamePostsThatDoNotExist) {
   const ProcessResult slow = run({"fanuc.speed_decimals=0", "fanuc.speed_unit=cm_min"});
   ASSERT_EQ(slow.exitCode, 0) << slow.err;
   const Value report = parseJson(slow.out);
-  for (const Value& finding : findings(operationOf(report), "post.speed_rounded")) {
+  const std::vector<Value> rounded = findings(report, "post.speed_rounded");
+  ASSERT_FALSE(rounded.empty());
+  for (const Value& finding : rounded) {
     EXPECT_EQ(finding.at("remedy").asString().find("speed_unit"), std::string::npos);
   }
   fs::copy(exampleFolder("elbow"), folder_ / "other", fs::copy_options::recursive);
@@ -202,10 +204,10 @@ TEST_F(Posts, RemediesDoNotRepeatWhatIsSetNorNamePostsThatDoNotExist) {
     project.findMutable("cell")->set("path", std::string("wcam:cells/") + cell + ".json");
     project.findMutable("cell")->set("sha256", "");
     writeFileAtomically(folder_ / file, toCanonicalJson(project));
-    const ProcessResult result = camcli({"--project", file, "--operation", "planar", "--check",
-                                         "--json", "--set", "planar.motion.mode=constant"});
+    const ProcessResult result =
+        camcli({"--project", file, "--operation", "planar", "--check", "--json"});
     const Value own = parseJson(result.out);
-    const std::vector<Value> other = findings(operationOf(own), "post.other_controller");
+    const std::vector<Value> other = findings(own, "post.other_controller");
     ASSERT_FALSE(other.empty()) << cell << result.err;
     EXPECT_THAT(other[0].at("remedy").asString(), HasSubstr(advice));
   }

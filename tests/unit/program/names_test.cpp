@@ -88,7 +88,9 @@ TEST(Ascii, EveryLatinLetterHasASpellingThatIsOne) {
                                                         {"a\xFF"
                                                          "b",
                                                          "a?b"},
-                                                        {"\xE2\x82", "?"}}) {
+                                                        {"\xE2\x82", "?"},
+                                                        {"\xC0\x8A", "?"},
+                                                        {"\xE0\x80\x8A", "?"}}) {
     EXPECT_EQ(toAscii(given, '?'), ascii) << given;
   }
 }

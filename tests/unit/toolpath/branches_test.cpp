@@ -311,7 +311,7 @@ TEST(Branches, RefusesWhatItCannotSlice) {
   plugin::SliceInput below = inputOf(test::tubeMesh(25.0, 4.0, 40, 4));
   below.substrate = test::plate(50.0);
   for (const char* field : {"height", "geodesic", "isovalues"}) {
-    EXPECT_THAT(errorOf(ErrorCode::JobFailed,
+    EXPECT_THAT(errorOf(ErrorCode::CheckFailed,
                         [&] {
                           test::slice(kBranches, below,
                                       std::string(R"({"step": 2, "field": ")") + field + "\"}");

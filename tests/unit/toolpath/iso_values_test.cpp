@@ -320,7 +320,7 @@ TEST(IsoValues, RefusesWhatItCannotSlice) {
       ::testing::HasSubstr("choose a smaller step"));
   plugin::SliceInput below = inputOf(test::tubeMesh(25.0, 4.0, 40, 4));
   below.substrate = test::plate(50.0);
-  EXPECT_THAT(errorOf(ErrorCode::JobFailed, [&] { test::slice(kIso, below, R"({"step": 2})"); }),
+  EXPECT_THAT(errorOf(ErrorCode::CheckFailed, [&] { test::slice(kIso, below, R"({"step": 2})"); }),
               ::testing::HasSubstr("below the substrate"));
 }
 
