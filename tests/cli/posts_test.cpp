@@ -204,8 +204,8 @@ TEST_F(Posts, RemediesDoNotRepeatWhatIsSetNorNamePostsThatDoNotExist) {
     project.findMutable("cell")->set("path", std::string("wcam:cells/") + cell + ".json");
     project.findMutable("cell")->set("sha256", "");
     writeFileAtomically(folder_ / file, toCanonicalJson(project));
-    const ProcessResult result =
-        camcli({"--project", file, "--operation", "planar", "--check", "--json"});
+    const ProcessResult result = camcli({"--project", file, "--operation", "planar", "--check",
+                                         "--json", "--set", "planar.motion.mode=optimized"});
     const Value own = parseJson(result.out);
     const std::vector<Value> other = findings(own, "post.other_controller");
     ASSERT_FALSE(other.empty()) << cell << result.err;
