@@ -74,6 +74,9 @@ Document Document::parse(Value tree, const std::string& context) {
          "open it with the newer version of WCAM",
          {},
          {}});
+    // A newer version may know them.
+    std::erase_if(model.findings,
+                  [](const Diagnostic& finding) { return finding.code == "project.unknown_key"; });
     for (const ParamProblem& problem : model.problems) {
       state->findings.push_back({Severity::Warning,
                                  "project.not_understood",

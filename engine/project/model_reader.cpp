@@ -196,7 +196,27 @@ private:
         {Severity::Warning, code, std::move(message), std::move(remedy), {}, {}});
   }
 
+  /// Keys that mean nothing here, such as a placement where a position is wanted. Those of other
+  /// programs begin with "x-" or "x_".
+  void tellUnknown(const Value& object,
+                   const std::vector<std::string>& known,
+                   const std::string& path) {
+    for (const auto& [key, value] : object.asObject()) {
+      if (key.starts_with("x-") || key.starts_with("x_") ||
+          std::find(known.begin(), known.end(), key) != known.end()) {
+        continue;
+      }
+      const auto near = nearestName(key, known);
+      finding(
+          "project.unknown_key",
+          text("%1: is no key here; it is kept in the file and has no effect",
+               {path.empty() ? key : path + "." + key}),
+          near ? text("did you mean '%1'?", {*near}) : text("keys: %1", {joinText(known, ", ")}));
+    }
+  }
+
   void readTopLevel() {
+    tellUnknown(tree_, topLevelKeys(), {});
     if (const Value* version = tree_.find("format_version")) {
       result_.project.formatVersion = static_cast<int>(version->asInteger());
     }
@@ -267,6 +287,11 @@ private:
         problem(path, text("the key '%1' is missing", {field.key}));
       }
     }
+    std::vector<std::string> known = {"id"};
+    for (const Field& field : type.fields) {
+      known.emplace_back(field.key);
+    }
+    tellUnknown(node, known, path);
     if (result_.problems.size() == before) {
       checkVariant(type, node, path);
       checkSurface(type, node, path);

@@ -9354,6 +9354,14 @@
         <source>the project was made with version %2 of the plugin %1; version %3 is installed</source>
         <translation>le projet a été fait avec la version %2 du plugin %1 ; la version %3 est installée</translation>
     </message>
+    <message>
+        <source>%1: is no key here; it is kept in the file and has no effect</source>
+        <translation>%1 : n&apos;est pas une clé à cet endroit ; elle reste dans le fichier sans effet</translation>
+    </message>
+    <message>
+        <source>keys: %1</source>
+        <translation>clés : %1</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

@@ -207,6 +207,24 @@ TEST(Document, NewerVersionIsReadOnlyAndKeepsWhatIsUnderstood) {
   EXPECT_EQ(document.findings()[1].code, "project.not_understood");
 }
 
+TEST(Document, TellsOfKeysThatMeanNothing) {
+  Value tree = sampleTree();
+  Value& plate = tree.findMutable("substrates")->mutableArray().front();
+  plate.set("placement", Value::object()).set("sise_mm", Value(Value::Array{1.0, 2.0, 3.0}));
+  tree.set("operation", Value(Value::Array{}));
+  const Document document = Document::parse(tree);
+  std::vector<std::string> lines;
+  for (const Diagnostic& finding : document.findings()) {
+    lines.push_back(toLine(finding));
+  }
+  ASSERT_THAT(lines, ::testing::SizeIs(3));
+  EXPECT_THAT(lines[0], AllOf(HasSubstr("project.unknown_key: operation: is no key here"),
+                              HasSubstr("did you mean 'operations'?")));
+  EXPECT_THAT(lines[1], AllOf(HasSubstr("substrates[0].placement: is no key here"),
+                              HasSubstr("position_mm")));
+  EXPECT_THAT(lines[2], HasSubstr("did you mean 'size_mm'?"));
+}
+
 TEST(Document, WarnsOfPathsThatDoNotTravel) {
   const auto codesFor = [](const char* path) {
     const Document document =

@@ -105,7 +105,7 @@ std::vector<Migration> fakeMigrations() {
 
 TEST_F(ProjectFile, OlderVersionIsMigratedInMemory) {
   const std::string text =
-      "{\"format\": \"wcam-project\", \"format_version\": 0, \"title\": \"old\", \"x\": 1}";
+      "{\"format\": \"wcam-project\", \"format_version\": 0, \"title\": \"old\", \"x_1\": 1}";
   writeFileAtomically(file_, text);
   const LoadedProject loaded = loadProject(file_, fakeMigrations());
   EXPECT_TRUE(loaded.migrated);
@@ -113,7 +113,7 @@ TEST_F(ProjectFile, OlderVersionIsMigratedInMemory) {
   EXPECT_EQ(loaded.document.project().name, "old");
   EXPECT_EQ(loaded.document.project().formatVersion, 1);
   EXPECT_FALSE(loaded.document.tree().contains("title"));
-  EXPECT_TRUE(loaded.document.tree().contains("x"));
+  EXPECT_TRUE(loaded.document.tree().contains("x_1"));
   ASSERT_THAT(codesOf(loaded.findings), ElementsAre("project.migrated"));
   EXPECT_THAT(loaded.findings[0].message, HasSubstr("'title' is now 'name'"));
   EXPECT_EQ(readFile(file_), text) << "opening an old file must not rewrite it";
